@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+# sherd_target(<target>): the compile settings every Sherd target shares.
+# Floating point is kept to IEEE (no contraction) so that results are the same bits in every build type.
+function(sherd_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden
+                                             VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+  if(SHERD_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()
+
+# sherd_pkg(<NAME> <pkg-config module>): an imported target PkgConfig::<NAME> with system includes.
+find_package(PkgConfig REQUIRED)
+macro(sherd_pkg name module)
+  if(NOT TARGET PkgConfig::${name})
+    pkg_check_modules(${name} REQUIRED IMPORTED_TARGET GLOBAL ${module})
+  endif()
+endmacro()

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sherd/formats/fracture_set.h"
+#include "sherd/formats/gltf_document.h"
+#include "sherd/formats/result.h"
+
+namespace sherd {
+
+/// A material to add to the document. FractureSet::materials values at or above the document's
+/// own material count refer to these, in order.
+struct NewMaterial {
+    std::string name;
+    std::array<float, 4> baseColor{0.6F, 0.58F, 0.55F, 1.0F};  ///< linear
+    float metallic = 0;
+    float roughness = 0.9F;
+};
+
+/// The document with the fracture sets hung on their nodes (`SHERD_mesh_fracture`), as one GLB.
+/// Everything the document held stays as it was; `sourceHash` of each set is filled in here.
+Result<std::vector<uint8_t>> attachFractureSets(const GltfDocument& document,
+                                                std::span<const FractureSet> sets,
+                                                std::span<const NewMaterial> newMaterials);
+
+/// Writes the bytes whole or not at all: beside the target, flushed, then renamed over it.
+Result<void> writeFileWhole(const std::filesystem::path& path, std::span<const uint8_t> bytes);
+
+}  // namespace sherd
