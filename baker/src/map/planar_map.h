@@ -8,19 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "geometry/exact_grid.h"
 #include "sherd/baker/fracture_map.h"
 
 namespace sherd {
 
-/// UV snapped to 2^-24. |coordinate| <= kGridLimit, so that differences take 29 bits with sign.
-struct GridPoint {
-    int32_t u = 0;
-    int32_t v = 0;
-    friend bool operator==(const GridPoint&, const GridPoint&) = default;
-    friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
-};
-inline constexpr int32_t kGridOne = 1 << 24;       ///< UV 1.0
-inline constexpr int32_t kGridLimit = 8 * kGridOne;  ///< UV beyond +-8 is an error that says so
+// UV is snapped to 2^-24: see GridPoint. UV beyond +-8 is an error that says so.
 
 /// A straight line through two grid points; edges lie on it.
 struct Support {
@@ -29,18 +22,18 @@ struct Support {
 
 /// A node is a grid point, or the crossing of two supports that is not known to be one.
 struct MapNode {
-    GridPoint point;          ///< used when `first` < 0
-    int32_t first = -1;       ///< supports whose crossing this is
+    GridPoint point;     ///< used when `first` < 0
+    int32_t first = -1;  ///< supports whose crossing this is
     int32_t second = -1;
 };
 
-/// A piece of a support between two nodes, free of other nodes. Ordered along the support: from -> to
-/// runs in the direction a -> b.
+/// A piece of a support between two nodes, free of other nodes. Ordered along the support: from ->
+/// to runs in the direction a -> b.
 struct MapEdge {
-    uint32_t from = 0, to = 0;   ///< nodes
+    uint32_t from = 0, to = 0;  ///< nodes
     uint32_t support = 0;
-    uint32_t level = 1;          ///< the coarsest level of the lines that cover it
-    uint32_t line = 0;           ///< index of that line in the input
+    uint32_t level = 1;  ///< the coarsest level of the lines that cover it
+    uint32_t line = 0;   ///< index of that line in the input
 };
 
 struct PlanarMap {
@@ -53,8 +46,8 @@ struct PlanarMap {
 /// The node's position rounded to double UV (for reports and pictures, never for decisions).
 glm::dvec2 nodeUv(const PlanarMap& map, uint32_t node);
 
-/// Splits all lines of all maps at their crossings, touches and overlaps, exactly; removes duplicates.
-/// Crossings that fall on a grid point become grid nodes. Equal points are one node.
+/// Splits all lines of all maps at their crossings, touches and overlaps, exactly; removes
+/// duplicates. Crossings that fall on a grid point become grid nodes. Equal points are one node.
 /// Error limitExceeded: a coordinate beyond +-8, with its place.
 Result<PlanarMap> planarise(const FractureMap& map);
 
