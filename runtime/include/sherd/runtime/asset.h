@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sherd/formats/fracture_set.h"
+#include "sherd/formats/result.h"
+
+namespace sherd {
+
+/// One draw call's worth of a fragment: a run of `Asset::geometry().indices`.
+struct DrawRange {
+    uint32_t material = 0;     ///< index into FractureSet::materials
+    uint32_t exposedFrom = 0;  ///< 0: outer surface; k >= 1: hidden until broken to level k
+    Range indices;             ///< triangles; never empty
+};
+
+/// A baked object ready for use in a game: immutable, shared by any number of worlds and threads.
+class Asset {
+  public:
+    /// Checks every index, count and number of the set, whoever made it, and takes it over.
+    static Result<std::shared_ptr<const Asset>> fromFractureSet(FractureSet set);
+
+    [[nodiscard]] const FractureSet& set() const { return set_; }
+    [[nodiscard]] const std::string& name() const { return set_.name; }
+
+    /// Vertices and indices of all fragments of all levels: upload once, draw by `drawRanges`.
+    [[nodiscard]] const FractureGeometry& geometry() const { return set_.geometry; }
+
+    [[nodiscard]] uint32_t fragmentCount() const { return uint32_t(set_.fragments.size()); }
+    [[nodiscard]] const Fragment& fragment(uint32_t f) const { return set_.fragments[f]; }
+
+    /// What fragment f shows as a body of its own (fragment 0: the intact object).
+    [[nodiscard]] std::span<const DrawRange> drawRanges(uint32_t f) const;
+
+    /// Area of the bonds that must break before f falls into its children, m^2.
+    [[nodiscard]] float bondArea(uint32_t f) const { return bondArea_[f]; }
+
+    /// Energy those bonds consume: the sum of toughness x area, J. 0 when the children share no
+    /// bond.
+    [[nodiscard]] float breakEnergy(uint32_t f) const { return breakEnergy_[f]; }
+
+    /// Diagonal of the object's bounding box, metres.
+    [[nodiscard]] float diagonal() const { return diagonal_; }
+
+  private:
+    explicit Asset(FractureSet set);
+
+    FractureSet set_;
+    std::vector<DrawRange> drawRanges_;
+    std::vector<Range> drawRangesOf_;  ///< per fragment, into drawRanges_
+    std::vector<float> bondArea_;
+    std::vector<float> breakEnergy_;
+    float diagonal_ = 0;
+};
+
+/// The assets of a baked GLB, one per fractured object, in file order. A file that holds none is an
+/// error (`invalidData`): it was never baked, or a tool dropped the extension afterwards.
+Result<std::vector<std::shared_ptr<const Asset>>> loadAssets(std::span<const uint8_t> glb);
+Result<std::vector<std::shared_ptr<const Asset>>> loadAssets(const std::filesystem::path& path);
+
+}  // namespace sherd

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "sherd/formats/result.h"
+#include "sherd/runtime/asset.h"
+#include "sherd/runtime/damage.h"
+#include "sherd/runtime/events.h"
+
+class btCollisionObject;
+class btDynamicsWorld;
+class btRigidBody;
+
+namespace sherd {
+
+/// Who tells the DestructionWorld that a substep is over.
+enum class Drive {
+    action,  ///< Bullet does: it registers itself as a btActionInterface and runs in every substep
+    manual,  ///< the game calls `afterStep` after every `world.stepSimulation(dt, 0)`
+};
+
+struct WorldOptions {
+    Drive drive = Drive::action;
+    DamageOptions damage;  ///< for every object; each spawn may add its own
+    /// Siblings released deeper inside each other than this share of the object's diagonal ignore
+    /// each other until they are apart. > 0; smaller lets fewer touching pairs be ignored.
+    float overlapTolerance = 1e-5F;
+    /// Break events kept until `events` is called; later ones are dropped. >= 1
+    uint32_t maxPendingEvents = 65536;
+};
+
+struct SpawnOptions {
+    bool dynamic = true;  ///< false: the intact object stands fixed; its fragments always move
+    DamageOptions damage;
+    glm::vec3 linearVelocity{0.0F};   ///< of the centre of mass, m/s, world
+    glm::vec3 angularVelocity{0.0F};  ///< rad/s, world
+    int collisionGroup = 0;  ///< Bullet filter bits for the object and its fragments; both 0:
+    int collisionMask = 0;   ///< Bullet's defaults
+};
+
+/// What a Bullet body of Sherd's stands for.
+struct BodyInfo {
+    ObjectId object;
+    uint32_t fragment = 0;
+};
+
+/// Breaks baked objects in a Bullet world that belongs to the game.
+///
+/// It owns only the bodies it creates and removes them when destroyed; it writes no Bullet global
+/// and no solver setting. It must be destroyed before the Bullet world. Not thread-safe: use it on
+/// the thread that steps the world. Assets may be shared between worlds and threads.
+class DestructionWorld {
+  public:
+    explicit DestructionWorld(btDynamicsWorld& world, const WorldOptions& options = {});
+    ~DestructionWorld();
+    DestructionWorld(const DestructionWorld&) = delete;
+    DestructionWorld& operator=(const DestructionWorld&) = delete;
+
+    /// Puts an intact object into the world. `pose` places the asset's object frame; the place it
+    /// had in its own scene is `asset->set().restPose`.
+    Result<ObjectId> spawn(std::shared_ptr<const Asset> asset, const RigidPose& pose,
+                           const SpawnOptions& options = {});
+
+    /// Takes the object and all its fragments out. False when the handle is no longer valid.
+    bool remove(ObjectId object);
+
+    /// Replaces a fragment that stands in the world (0: the intact object) by its children without
+    /// a hit: every child carries the velocity of its part. False when there is nothing to break.
+    bool breakFragment(ObjectId object, uint32_t fragment = 0);
+
+    /// Only for `Drive::manual`: measures the hits of the substep just done and breaks what they
+    /// break. Call right after every `world.stepSimulation(dt, 0)`; `dt` in seconds, > 0.
+    void afterStep(float dt);
+
+    /// Exactly what to draw: per object either the intact object or the fragments in its place.
+    /// Valid until the next substep, spawn, remove or break. Ordered by object, then fragment.
+    [[nodiscard]] std::span<const FragmentPose> poses() const;
+
+    /// The breaks since the last call, in the order they happened; each is listed once.
+    /// Valid until the next call.
+    std::span<const BreakEvent> events();
+
+    [[nodiscard]] bool isAlive(ObjectId object) const;
+
+    /// The body that stands for a fragment, or null. It lives until that fragment breaks or is
+    /// removed. The game may push it; it must not remove or delete it.
+    [[nodiscard]] btRigidBody* body(ObjectId object, uint32_t fragment = 0) const;
+
+    /// What a body found by the game (ray cast, contact) stands for; nothing when it is not
+    /// Sherd's.
+    [[nodiscard]] std::optional<BodyInfo> find(const btCollisionObject& body) const;
+
+    /// Bodies of Sherd's in the world now.
+    [[nodiscard]] uint32_t bodyCount() const;
+
+    /// Pairs that overlapped when released and still ignore each other.
+    [[nodiscard]] uint32_t ignoredPairCount() const;
+
+    /// Simulated seconds since this was made.
+    [[nodiscard]] double time() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sherd
