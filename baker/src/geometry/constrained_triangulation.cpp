@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/constrained_triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numeric>
+
+namespace sherd {
+namespace {
+
+constexpr uint32_t kNobody = 0xFFFFFFFFU;
+
+uint32_t cyclic(uint32_t k) {
+    return k % 3;
+}
+
+class Triangulator {
+  public:
+    explicit Triangulator(const TriangulationInput& input) : in_(input) {
+        for (const ExactPoint& p : in_.points) {
+            extent_ = std::max({extent_, std::abs(p.ax), std::abs(p.ay)});
+        }
+        triangles_.push_back({{0, 1, 2}, {kNobody, kNobody, kNobody}, {0, 0, 0}});
+        triangleOf_.assign(in_.points.size(), 0);
+        flipsLeft_ = 40 * in_.points.size() + 40;
+    }
+
+    TriangulationResult run() {
+        for (const uint32_t p : insertionOrder()) insert(p);
+        TriangulationResult result;
+        result.valid = true;
+        for (const auto& c : in_.constraints)
+            result.valid = result.valid && recover(c.a, c.b, c.mark);
+        result.triangles.reserve(triangles_.size());
+        for (const Triangle& t : triangles_) result.triangles.push_back({t.v, t.mark});
+        return result;
+    }
+
+  private:
+    struct Triangle {
+        std::array<uint32_t, 3> v;         ///< counter-clockwise
+        std::array<uint32_t, 3> neighbor;  ///< across edge v[k] v[k + 1]
+        std::array<uint32_t, 3> mark;
+    };
+    struct Edge {
+        uint32_t t, k;
+    };
+
+    int side(uint32_t a, uint32_t b, uint32_t c) const {
+        return orientation(in_.points[a], in_.points[b], in_.points[c], extent_);
+    }
+
+    /// Row by row there and back: neighbours in the order are neighbours in the plane, which keeps
+    /// the search for each next point short.
+    std::vector<uint32_t> insertionOrder() const {
+        std::vector<uint32_t> order(in_.points.size() - 3);
+        std::iota(order.begin(), order.end(), 3U);
+        if (order.size() < 16) return order;
+        double low = in_.points[0].ay;
+        double high = low;
+        for (const ExactPoint& p : in_.points) {
+            low = std::min(low, p.ay);
+            high = std::max(high, p.ay);
+        }
+        const double rows = std::sqrt(static_cast<double>(order.size()) / 2);
+        const auto row = [&](uint32_t i) {
+            return static_cast<int64_t>((in_.points[i].ay - low) / (high - low + 1e-300) * rows);
+        };
+        std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+            const int64_t ra = row(a);
+            const int64_t rb = row(b);
+            if (ra != rb) return ra < rb;
+            const double xa = in_.points[a].ax;
+            const double xb = in_.points[b].ax;
+            if (xa != xb) return (ra % 2 == 0) == (xa < xb);
+            return a < b;
+        });
+        return order;
+    }
+
+    /// The triangle that holds the point, border included, by walking towards it.
+    uint32_t locate(uint32_t p) {
+        uint32_t t = last_;
+        uint32_t turn = 0;
+        for (size_t steps = 0; steps < 4 * triangles_.size() + 16; ++steps) {
+            bool moved = false;
+            for (uint32_t i = 0; i < 3 && !moved; ++i) {
+                const uint32_t k = cyclic(turn + i);
+                const Triangle& tri = triangles_[t];
+                if (tri.neighbor[k] == kNobody || side(tri.v[k], tri.v[cyclic(k + 1)], p) >= 0)
+                    continue;
+                t = tri.neighbor[k];
+                moved = true;
+            }
+            if (!moved) return t;
+            ++turn;  // varying the first edge tried keeps the walk from cycling
+        }
+        for (t = 0; t < triangles_.size(); ++t) {
+            const Triangle& tri = triangles_[t];
+            if (side(tri.v[0], tri.v[1], p) >= 0 && side(tri.v[1], tri.v[2], p) >= 0 &&
+                side(tri.v[2], tri.v[0], p) >= 0) {
+                break;
+            }
+        }
+        return t;
+    }
+
+    void insert(uint32_t p) {
+        const uint32_t t = locate(p);
+        for (uint32_t k = 0; k < 3; ++k) {
+            if (side(triangles_[t].v[k], triangles_[t].v[cyclic(k + 1)], p) == 0) {
+                splitEdge({t, k}, p);
+                return;
+            }
+        }
+        splitTriangle(t, p);
+    }
+
+    void setTriangle(uint32_t t, std::array<uint32_t, 3> v, std::array<uint32_t, 3> neighbor,
+                     std::array<uint32_t, 3> mark) {
+        triangles_[t] = {v, neighbor, mark};
+        for (const uint32_t p : v) triangleOf_[p] = t;
+    }
+
+    /// Tells the triangle across edge k of t that t is now its neighbour there.
+    void link(uint32_t t, uint32_t k) {
+        const uint32_t n = triangles_[t].neighbor[k];
+        if (n == kNobody) return;
+        const uint32_t from = triangles_[t].v[cyclic(k + 1)];
+        for (uint32_t j = 0; j < 3; ++j) {
+            if (triangles_[n].v[j] == from) triangles_[n].neighbor[j] = t;
+        }
+    }
+
+    void splitTriangle(uint32_t t, uint32_t p) {
+        const Triangle old = triangles_[t];
+        const auto t1 = static_cast<uint32_t>(triangles_.size());
+        const uint32_t t2 = t1 + 1;
+        triangles_.resize(triangles_.size() + 2);
+        setTriangle(t, {old.v[0], old.v[1], p}, {old.neighbor[0], t1, t2}, {old.mark[0], 0, 0});
+        setTriangle(t1, {old.v[1], old.v[2], p}, {old.neighbor[1], t2, t}, {old.mark[1], 0, 0});
+        setTriangle(t2, {old.v[2], old.v[0], p}, {old.neighbor[2], t, t1}, {old.mark[2], 0, 0});
+        link(t1, 0);
+        link(t2, 0);
+        last_ = t;
+        legalize({{t, 0}, {t1, 0}, {t2, 0}});
+    }
+
+    void splitEdge(Edge e, uint32_t p) {
+        const Triangle old = triangles_[e.t];
+        const uint32_t a = old.v[e.k];
+        const uint32_t b = old.v[cyclic(e.k + 1)];
+        const uint32_t c = old.v[cyclic(e.k + 2)];
+        const uint32_t mark = old.mark[e.k];
+        const uint32_t n = old.neighbor[e.k];
+        const uint32_t bc = old.neighbor[cyclic(e.k + 1)];
+        const uint32_t ca = old.neighbor[cyclic(e.k + 2)];
+        const auto t1 = static_cast<uint32_t>(triangles_.size());
+        const uint32_t n1 = n == kNobody ? kNobody : t1 + 1;
+        triangles_.resize(triangles_.size() + (n == kNobody ? 1 : 2));
+        setTriangle(e.t, {a, p, c}, {n1, t1, ca}, {mark, 0, old.mark[cyclic(e.k + 2)]});
+        setTriangle(t1, {p, b, c}, {n, bc, e.t}, {mark, old.mark[cyclic(e.k + 1)], 0});
+        link(t1, 1);
+        std::vector<Edge> suspects{{e.t, 2}, {t1, 1}};
+        if (n != kNobody) {
+            const Triangle other = triangles_[n];
+            uint32_t j = 0;
+            while (other.v[j] != b) ++j;  // its edge j runs b -> a
+            const uint32_t d = other.v[cyclic(j + 2)];
+            const uint32_t ad = other.neighbor[cyclic(j + 1)];
+            const uint32_t db = other.neighbor[cyclic(j + 2)];
+            setTriangle(n, {b, p, d}, {t1, n1, db}, {mark, 0, other.mark[cyclic(j + 2)]});
+            setTriangle(n1, {p, a, d}, {e.t, ad, n}, {mark, other.mark[cyclic(j + 1)], 0});
+            link(n1, 1);
+            suspects.push_back({n, 2});
+            suspects.push_back({n1, 1});
+        }
+        last_ = e.t;
+        legalize(std::move(suspects));
+    }
+
+    /// Whether the diagonal of the two triangles at an edge can be exchanged at all.
+    bool flippable(Edge e) const {
+        const Triangle& t = triangles_[e.t];
+        if (t.neighbor[e.k] == kNobody || t.mark[e.k] != 0) return false;
+        const auto [a, b, c, d] = quad(e);
+        return side(c, a, d) > 0 && side(d, b, c) > 0;
+    }
+
+    /// a -> b the edge, c the corner of e.t, d the corner across.
+    std::array<uint32_t, 4> quad(Edge e) const {
+        const Triangle& t = triangles_[e.t];
+        const uint32_t b = t.v[cyclic(e.k + 1)];
+        const Triangle& n = triangles_[t.neighbor[e.k]];
+        uint32_t j = 0;
+        while (n.v[j] != b) ++j;
+        return {t.v[e.k], b, t.v[cyclic(e.k + 2)], n.v[cyclic(j + 2)]};
+    }
+
+    /// Exchanges the diagonal; afterwards e.t is (c, a, d) and the neighbour (d, b, c).
+    void flip(Edge e) {
+        const Triangle t = triangles_[e.t];
+        const uint32_t n = t.neighbor[e.k];
+        const Triangle other = triangles_[n];
+        const auto [a, b, c, d] = quad(e);
+        uint32_t j = 0;
+        while (other.v[j] != b) ++j;
+        const uint32_t kb = cyclic(e.k + 1);  // edge b -> c of t
+        const uint32_t kc = cyclic(e.k + 2);  // edge c -> a of t
+        const uint32_t ja = cyclic(j + 1);    // edge a -> d of the other
+        const uint32_t jd = cyclic(j + 2);    // edge d -> b of the other
+        setTriangle(e.t, {c, a, d}, {t.neighbor[kc], other.neighbor[ja], n},
+                    {t.mark[kc], other.mark[ja], 0});
+        setTriangle(n, {d, b, c}, {other.neighbor[jd], t.neighbor[kb], e.t},
+                    {other.mark[jd], t.mark[kb], 0});
+        link(e.t, 1);
+        link(n, 1);
+    }
+
+    /// The angles opposite the edge a b add up to more than a half turn: the other diagonal is
+    /// better.
+    bool worthFlipping(Edge e) const {
+        const auto [a, b, c, d] = quad(e);
+        const auto angle = [this](uint32_t at, uint32_t from, uint32_t to) {
+            const glm::dvec2 u = in_.shape[from] - in_.shape[at];
+            const glm::dvec2 v = in_.shape[to] - in_.shape[at];
+            return std::atan2(std::abs(u.x * v.y - u.y * v.x), u.x * v.x + u.y * v.y);
+        };
+        return angle(c, a, b) + angle(d, b, a) > M_PI + 1e-9;
+    }
+
+    void legalize(std::vector<Edge> suspects) {
+        while (!suspects.empty()) {
+            const Edge e = suspects.back();
+            suspects.pop_back();
+            if (flipsLeft_ == 0 || triangles_[e.t].neighbor[e.k] == kNobody || !worthFlipping(e) ||
+                !flippable(e)) {
+                continue;
+            }
+            --flipsLeft_;
+            const uint32_t n = triangles_[e.t].neighbor[e.k];
+            flip(e);
+            suspects.insert(suspects.end(), {{e.t, 0}, {e.t, 1}, {n, 0}, {n, 1}});
+        }
+    }
+
+    /// Edge a -> b, or t == kNobody.
+    Edge findEdge(uint32_t a, uint32_t b) const {
+        Edge found{kNobody, 0};
+        forEachAround(a, [&](uint32_t t, uint32_t k) {
+            if (triangles_[t].v[cyclic(k + 1)] == b) found = {t, k};
+            if (triangles_[t].v[cyclic(k + 2)] == b) found = {t, cyclic(k + 2)};
+            return found.t == kNobody;
+        });
+        return found;
+    }
+
+    /// Calls visit(triangle, corner index of p) until it returns false.
+    template <class Visit>
+    void forEachAround(uint32_t p, Visit&& visit) const {
+        const uint32_t first = triangleOf_[p];
+        uint32_t t = first;
+        const auto cornerOf = [&](uint32_t tri) {
+            uint32_t k = 0;
+            while (triangles_[tri].v[k] != p) ++k;
+            return k;
+        };
+        do {  // counter-clockwise
+            const uint32_t k = cornerOf(t);
+            if (!visit(t, k)) return;
+            t = triangles_[t].neighbor[cyclic(k + 2)];
+        } while (t != kNobody && t != first);
+        if (t == first) return;
+        t = triangles_[first].neighbor[cornerOf(first)];
+        while (t != kNobody) {  // the rest clockwise: p is on the border
+            const uint32_t k = cornerOf(t);
+            if (!visit(t, k)) return;
+            t = triangles_[t].neighbor[k];
+        }
+    }
+
+    void setMark(Edge e, uint32_t mark) {
+        const auto set = [mark](uint32_t& m) { m = m == 0 ? mark : std::min(m, mark); };
+        const uint32_t b = triangles_[e.t].v[cyclic(e.k + 1)];
+        set(triangles_[e.t].mark[e.k]);
+        const uint32_t n = triangles_[e.t].neighbor[e.k];
+        if (n == kNobody) return;
+        for (uint32_t j = 0; j < 3; ++j) {
+            if (triangles_[n].v[j] == b) set(triangles_[n].mark[j]);
+        }
+    }
+
+    /// Makes a b an edge and marks it. False if another constraint is in the way.
+    bool recover(uint32_t a, uint32_t b, uint32_t mark) {
+        while (a != b) {
+            if (const Edge e = findEdge(a, b); e.t != kNobody) {
+                setMark(e, mark);
+                return true;
+            }
+            uint32_t reached = b;
+            std::deque<std::pair<uint32_t, uint32_t>> crossed;
+            if (!collectCrossed(a, b, crossed, reached)) return false;
+            if (!flipAway(a, reached, crossed)) return false;
+            const Edge e = findEdge(a, reached);
+            if (e.t == kNobody) return false;
+            setMark(e, mark);
+            a = reached;
+        }
+        return true;
+    }
+
+    /// Edges that a -> b crosses, up to b or the first point that lies on it.
+    bool collectCrossed(uint32_t a, uint32_t b, std::deque<std::pair<uint32_t, uint32_t>>& crossed,
+                        uint32_t& reached) const {
+        Edge e{kNobody, 0};
+        uint32_t through = kNobody;
+        forEachAround(a, [&](uint32_t t, uint32_t k) {
+            const uint32_t right = triangles_[t].v[cyclic(k + 1)];
+            const uint32_t left = triangles_[t].v[cyclic(k + 2)];
+            const int r = side(a, b, right);
+            const int l = side(a, b, left);
+            if (r < 0 && l > 0) e = {t, cyclic(k + 1)};
+            // A neighbour on the line, ahead and not behind.
+            if (r == 0 && ahead(a, b, right)) through = right;
+            if (l == 0 && ahead(a, b, left)) through = left;
+            return e.t == kNobody && through == kNobody;
+        });
+        if (through != kNobody) {
+            reached = through;
+            return true;
+        }
+        if (e.t == kNobody) return false;
+        while (true) {
+            const Triangle& t = triangles_[e.t];
+            if (t.mark[e.k] != 0 || t.neighbor[e.k] == kNobody) return false;
+            crossed.emplace_back(t.v[e.k], t.v[cyclic(e.k + 1)]);
+            const uint32_t n = t.neighbor[e.k];
+            const uint32_t from = t.v[cyclic(e.k + 1)];
+            uint32_t j = 0;
+            while (triangles_[n].v[j] != from) ++j;
+            const uint32_t apex = triangles_[n].v[cyclic(j + 2)];
+            if (apex == b) return true;
+            const int s = side(a, b, apex);
+            if (s == 0) {
+                reached = apex;
+                return true;
+            }
+            // t.v[k] is right of the line, t.v[k + 1] left.
+            e = s > 0 ? Edge{n, cyclic(j + 1)} : Edge{n, cyclic(j + 2)};
+        }
+    }
+
+    bool ahead(uint32_t a, uint32_t b, uint32_t c) const {
+        const glm::dvec2 ab(in_.points[b].ax - in_.points[a].ax,
+                            in_.points[b].ay - in_.points[a].ay);
+        const glm::dvec2 ac(in_.points[c].ax - in_.points[a].ax,
+                            in_.points[c].ay - in_.points[a].ay);
+        return ab.x * ac.x + ab.y * ac.y > 0;
+    }
+
+    bool flipAway(uint32_t a, uint32_t b, std::deque<std::pair<uint32_t, uint32_t>>& crossed) {
+        size_t limit = 16 * (crossed.size() + 4) * (crossed.size() + 4);
+        while (!crossed.empty()) {
+            if (limit-- == 0) return false;
+            const auto [p, q] = crossed.front();
+            crossed.pop_front();
+            const Edge e = findEdge(p, q);
+            if (!flippable(e)) {
+                crossed.emplace_back(p, q);
+                continue;
+            }
+            const auto [u, v, c, d] = quad(e);
+            flip(e);
+            const bool touches = c == a || c == b || d == a || d == b;
+            if (!touches && side(a, b, c) * side(a, b, d) < 0) crossed.emplace_back(c, d);
+        }
+        return true;
+    }
+
+    const TriangulationInput& in_;
+    double extent_ = 0;
+    std::vector<Triangle> triangles_;
+    std::vector<uint32_t> triangleOf_;
+    uint32_t last_ = 0;
+    size_t flipsLeft_ = 0;
+};
+
+}  // namespace
+
+TriangulationResult triangulate(const TriangulationInput& input) {
+    return Triangulator(input).run();
+}
+
+}  // namespace sherd

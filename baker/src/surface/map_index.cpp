@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "surface/map_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
+
+namespace sherd {
+namespace {
+
+/// A grid box that surely holds the node: a crossing's double position is good to far less than a
+/// unit.
+void extend(const PlanarMap& map, uint32_t node, GridPoint& low, GridPoint& high) {
+    const glm::dvec2 p = nodeUv(map, node) * double{kGridOne};
+    low.u = std::min(low.u, static_cast<int32_t>(std::floor(p.x)) - 1);
+    low.v = std::min(low.v, static_cast<int32_t>(std::floor(p.y)) - 1);
+    high.u = std::max(high.u, static_cast<int32_t>(std::ceil(p.x)) + 1);
+    high.v = std::max(high.v, static_cast<int32_t>(std::ceil(p.y)) + 1);
+}
+
+}  // namespace
+
+MapIndex::MapIndex(const PlanarMap& map) {
+    constexpr int32_t kMax = 1 << 30;
+    GridPoint low{kMax, kMax};
+    GridPoint high{-kMax, -kMax};
+    boxes_.reserve(map.edges.size());
+    for (const MapEdge& edge : map.edges) {
+        Box box{{kMax, kMax}, {-kMax, -kMax}};
+        extend(map, edge.from, box.low, box.high);
+        extend(map, edge.to, box.low, box.high);
+        low = {std::min(low.u, box.low.u), std::min(low.v, box.low.v)};
+        high = {std::max(high.u, box.high.u), std::max(high.v, box.high.v)};
+        boxes_.push_back(box);
+    }
+    if (boxes_.empty()) {
+        start_.assign(2, 0);
+        return;
+    }
+    // About one cell an edge keeps both the cells and the edges a triangle meets few.
+    const auto side = static_cast<uint32_t>(
+        std::clamp(std::sqrt(static_cast<double>(boxes_.size())) * 2, 1.0, 1024.0));
+    const int64_t extent = std::max(int64_t{high.u} - low.u, int64_t{high.v} - low.v) + 1;
+    origin_ = low;
+    cell_ = extent / side + 1;
+    columns_ = static_cast<uint32_t>((int64_t{high.u} - low.u) / cell_ + 1);
+    rows_ = static_cast<uint32_t>((int64_t{high.v} - low.v) / cell_ + 1);
+
+    start_.assign(size_t{columns_} * rows_ + 1, 0);
+    const auto forEachCell = [this](const Box& box, auto&& visit) {
+        for (uint32_t r = row(box.low.v); r <= row(box.high.v); ++r) {
+            for (uint32_t c = column(box.low.u); c <= column(box.high.u); ++c)
+                visit(r * columns_ + c);
+        }
+    };
+    for (const Box& box : boxes_) forEachCell(box, [this](uint32_t cell) { ++start_[cell + 1]; });
+    for (size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    edges_.resize(start_.back());
+    std::vector<uint32_t> next(start_.begin(), start_.end() - 1);
+    for (uint32_t e = 0; e < boxes_.size(); ++e) {
+        forEachCell(boxes_[e], [&](uint32_t cell) { edges_[next[cell]++] = e; });
+    }
+}
+
+uint32_t MapIndex::column(int64_t u) const {
+    return static_cast<uint32_t>(std::clamp<int64_t>((u - origin_.u) / cell_, 0, columns_ - 1));
+}
+uint32_t MapIndex::row(int64_t v) const {
+    return static_cast<uint32_t>(std::clamp<int64_t>((v - origin_.v) / cell_, 0, rows_ - 1));
+}
+
+void MapIndex::query(GridPoint low, GridPoint high, std::vector<uint32_t>& result) const {
+    result.clear();
+    if (boxes_.empty()) return;
+    for (uint32_t r = row(low.v); r <= row(high.v); ++r) {
+        for (uint32_t c = column(low.u); c <= column(high.u); ++c) {
+            for (uint32_t i = start_[r * columns_ + c]; i < start_[r * columns_ + c + 1]; ++i) {
+                const Box& box = boxes_[edges_[i]];
+                if (box.high.u < low.u || box.low.u > high.u || box.high.v < low.v ||
+                    box.low.v > high.v) {
+                    continue;
+                }
+                result.push_back(edges_[i]);
+            }
+        }
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+}
+
+}  // namespace sherd

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+#include "surface/seam_joining.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace sherd {
+namespace {
+
+class UnionFind {
+  public:
+    explicit UnionFind(size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+    uint32_t find(uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void unite(uint32_t a, uint32_t b) {
+        parent_[std::max(find(a), find(b))] = std::min(find(a), find(b));
+    }
+
+  private:
+    std::vector<uint32_t> parent_;
+};
+
+/// Ends of lines at one place of a seam, on one of its sides.
+/// side: the half edge for an edge point, the wedge (corner class) for a mesh vertex.
+struct SeamEnd {
+    uint32_t id;  ///< mesh vertex or edge point
+    uint32_t side;
+    uint32_t level;  ///< the coarsest line that ends here
+    uint32_t cut;    ///< one of them, for the report
+    bool open;       ///< no line goes on from here on the other side or along the seam
+};
+
+struct Join {
+    uint32_t from, to;  ///< into ends
+    double distance;
+    bool otherLevel;
+    std::vector<uint32_t> pieces;
+};
+
+class SeamJoiner {
+  public:
+    SeamJoiner(const MeshTopology& topology, std::span<const glm::vec3> positions,
+               std::span<const std::array<uint32_t, 3>> triangles, std::span<const UvTriangle> uv,
+               std::span<const Cut> cuts, const SeamOptions& options, ResolvedEdges& edges)
+        : topology_(topology),
+          positions_(positions),
+          triangles_(triangles),
+          uv_(uv),
+          cuts_(cuts),
+          options_(options),
+          edges_(edges),
+          wedges_(triangles.size() * 3) {}
+
+    SeamReport run() {
+        findSeams();
+        collectEnds();
+        joinNearest();
+        return report();
+    }
+
+  private:
+    uint32_t startVertex(uint32_t h) const { return triangles_[h / 3][h % 3]; }
+    static uint32_t next(uint32_t h) { return h - h % 3 + (h + 1) % 3; }
+    uint32_t endVertex(uint32_t h) const { return startVertex(next(h)); }
+    GridPoint uvAt(uint32_t corner) const { return uv_[corner / 3].corner[corner % 3]; }
+    bool isEdgePoint(uint32_t id) const { return id >= edges_.vertexCount; }
+
+    bool isSeam(uint32_t h) const {
+        const uint32_t o = topology_.opposite[h];
+        return o != kNone && (uvAt(h) != uvAt(next(o)) || uvAt(next(h)) != uvAt(o));
+    }
+
+    /// Corners around a vertex that are connected without crossing a seam form a wedge.
+    void findSeams() {
+        for (uint32_t h = 0; h < topology_.opposite.size(); ++h) {
+            const uint32_t o = topology_.opposite[h];
+            if (o == kNone || o < h) continue;
+            if (isSeam(h)) {
+                seamHalfEdges_.push_back(h);
+                seamsAtVertex_[startVertex(h)].push_back(h);
+                seamsAtVertex_[endVertex(h)].push_back(h);
+            } else {
+                wedges_.unite(h, next(o));
+                wedges_.unite(next(h), o);
+            }
+        }
+    }
+
+    /// The wedge at vertex v beside half edge h, which touches v.
+    uint32_t wedgeBeside(uint32_t h, uint32_t v) {
+        return wedges_.find(startVertex(h) == v ? h : next(h));
+    }
+
+    void collectEnds() {
+        std::map<std::pair<uint32_t, uint32_t>, std::pair<uint32_t, uint32_t>>
+            found;  // id, side -> level, cut
+        for (uint32_t c = 0; c < cuts_.size(); ++c) {
+            if (edgeAlong(cuts_[c]) != 3) continue;
+            for (uint32_t end = 0; end < 2; ++end) {
+                const CutEnd& e = end == 0 ? cuts_[c].from : cuts_[c].to;
+                const uint32_t h = 3 * cuts_[c].triangle + e.k;
+                if (e.where == CutEnd::Where::inside) continue;
+                const bool atVertex = e.where == CutEnd::Where::corner;
+                if (atVertex ? !seamsAtVertex_.contains(edges_.cutEnds[c][end]) : !isSeam(h))
+                    continue;
+                const uint32_t side = atVertex ? wedges_.find(h) : h;
+                const auto [it, isNew] =
+                    found.try_emplace({edges_.cutEnds[c][end], side}, cuts_[c].level, c);
+                if (!isNew) it->second = std::min(it->second, {cuts_[c].level, c});
+            }
+        }
+        for (const auto& [place, line] : found) {
+            const auto& [id, side] = place;
+            endsAt_[id].push_back(static_cast<uint32_t>(ends_.size()));
+            ends_.push_back({id, side, line.first, line.second, false});
+        }
+        for (SeamEnd& end : ends_) {
+            if (isEdgePoint(end.id)) {
+                // Open unless a line ends at the very same point on the glued side, or runs along.
+                const uint32_t o = topology_.opposite[end.side];
+                const auto& there = endsAt_[end.id];
+                const bool continued = std::any_of(there.begin(), there.end(),
+                                                   [&](uint32_t e) { return ends_[e].side == o; });
+                end.open = !continued && !pieceMarkedAt(end.id);
+            } else {
+                end.open = endsAt_[end.id].size() == 1 && !pieceMarkedAt(end.id);
+            }
+        }
+    }
+
+    bool pieceMarkedAt(uint32_t id) const {
+        if (isEdgePoint(id)) {
+            const uint32_t p = id - edges_.vertexCount;
+            const uint32_t edge = edges_.points[p].edge;
+            return edges_.pieceLevel[p + edge] != 0 || edges_.pieceLevel[p + edge + 1] != 0;
+        }
+        for (const uint32_t h : seamsAtVertex_.at(id)) {
+            const uint32_t edge = topology_.halfEdgeEdge[h];
+            const bool atLow = topology_.edges[edge].low == id;
+            const uint32_t piece = edges_.firstPiece(edge) + (atLow ? 0 : edges_.pointCount(edge));
+            if (edges_.pieceLevel[piece] != 0) return true;
+        }
+        return false;
+    }
+
+    glm::dvec3 position(uint32_t id) const {
+        if (!isEdgePoint(id)) return positions_[id];
+        const EdgePoint& p = edges_.points[id - edges_.vertexCount];
+        const glm::dvec3 low = positions_[topology_.edges[p.edge].low];
+        const glm::dvec3 high = positions_[topology_.edges[p.edge].high];
+        return low + (high - low) * p.t.approximate();
+    }
+
+    /// Walks along a seam edge from place `index` (0: low, n + 1: high) in direction `step`,
+    /// collecting ends of lines on the other side. `own`: the half edge on the side the walk
+    /// started from, kNone behind a junction where that side has ended.
+    struct Walk {
+        uint32_t from;
+        double distance;
+        std::vector<uint32_t> pieces;
+        std::vector<uint32_t> edges;  ///< walked, so that no loop is followed
+    };
+    void walkEdge(uint32_t halfEdge, uint32_t own, int64_t index, int64_t step, Walk walk) {
+        const uint32_t edge = topology_.halfEdgeEdge[halfEdge];
+        if (std::find(walk.edges.begin(), walk.edges.end(), edge) != walk.edges.end()) return;
+        walk.edges.push_back(edge);
+        const int64_t count = edges_.pointCount(edge);
+        glm::dvec3 here = position(idAt(edge, index));
+        while (index + step >= 0 && index + step <= count + 1) {
+            walk.pieces.push_back(edges_.firstPiece(edge) +
+                                  static_cast<uint32_t>(step > 0 ? index : index - 1));
+            index += step;
+            const uint32_t id = idAt(edge, index);
+            const glm::dvec3 there = position(id);
+            walk.distance += glm::distance(here, there);
+            here = there;
+            if (walk.distance > options_.joinDistance) return;
+            if (index > 0 && index <= count) offer(id, own, walk);
+        }
+        const uint32_t vertex = idAt(edge, index);
+        const uint32_t ownWedge = own == kNone ? kNone : wedgeBeside(own, vertex);
+        offer(vertex, ownWedge, walk);
+        walkFromVertex(vertex, ownWedge, walk);
+    }
+
+    void walkFromVertex(uint32_t vertex, uint32_t ownWedge, const Walk& walk) {
+        if (walk.edges.size() > 8) return;  // tiny seam edges around a needle: far enough
+        for (const uint32_t h : seamsAtVertex_.at(vertex)) {
+            const uint32_t edge = topology_.halfEdgeEdge[h];
+            uint32_t own = kNone;
+            for (const uint32_t side : {h, topology_.opposite[h]}) {
+                if (ownWedge != kNone && wedgeBeside(side, vertex) == ownWedge) own = side;
+            }
+            const bool atLow = topology_.edges[edge].low == vertex;
+            walkEdge(h, own, atLow ? 0 : int64_t{edges_.pointCount(edge)} + 1, atLow ? 1 : -1,
+                     walk);
+        }
+    }
+
+    uint32_t idAt(uint32_t edge, int64_t index) const {
+        if (index == 0) return topology_.edges[edge].low;
+        if (index == int64_t{edges_.pointCount(edge)} + 1) return topology_.edges[edge].high;
+        return edges_.vertexCount + edges_.firstPoint[edge] + static_cast<uint32_t>(index) - 1;
+    }
+
+    void offer(uint32_t id, uint32_t ownSide, const Walk& walk) {
+        const auto it = endsAt_.find(id);
+        if (it == endsAt_.end()) return;
+        for (const uint32_t e : it->second) {
+            if (ends_[e].side == ownSide) continue;
+            joins_.push_back({walk.from, e, walk.distance, ends_[e].level != ends_[walk.from].level,
+                              walk.pieces});
+        }
+    }
+
+    void collectJoins() {
+        for (uint32_t e = 0; e < ends_.size(); ++e) {
+            const SeamEnd& end = ends_[e];
+            if (!end.open) continue;
+            const Walk walk{e, 0, {}, {}};
+            if (!isEdgePoint(end.id)) {
+                walkFromVertex(end.id, end.side, walk);
+                continue;
+            }
+            const uint32_t p = end.id - edges_.vertexCount;
+            const int64_t index = int64_t{p} - edges_.firstPoint[edges_.points[p].edge] + 1;
+            walkEdge(end.side, end.side, index, 1, walk);
+            walkEdge(end.side, end.side, index, -1, walk);
+        }
+        std::stable_sort(joins_.begin(), joins_.end(), [](const Join& a, const Join& b) {
+            return std::tie(a.otherLevel, a.distance, a.from, a.to) <
+                   std::tie(b.otherLevel, b.distance, b.from, b.to);
+        });
+    }
+
+    /// First pairs of open ends, nearest first; then what is left open joins the nearest line end.
+    void joinNearest() {
+        collectJoins();
+        std::vector<uint8_t> done(ends_.size(), 0);
+        for (const bool toOpenOnly : {true, false}) {
+            for (const Join& join : joins_) {
+                if (done[join.from] != 0) continue;
+                if (toOpenOnly && (done[join.to] != 0 || !ends_[join.to].open)) continue;
+                const uint32_t level = std::max(ends_[join.from].level, ends_[join.to].level);
+                for (const uint32_t piece : join.pieces) edges_.markPiece(piece, level);
+                done[join.from] = 1;
+                if (ends_[join.to].open) done[join.to] = 1;
+                ++report_.joined;
+            }
+        }
+        for (uint32_t e = 0; e < ends_.size(); ++e) {
+            if (ends_[e].open && done[e] == 0) loose_.push_back(e);
+        }
+    }
+
+    SeamReport report() {
+        for (const uint32_t e : loose_) {
+            const Cut& cut = cuts_[ends_[e].cut];
+            const CutEnd& end = edges_.cutEnds[ends_[e].cut][0] == ends_[e].id ? cut.from : cut.to;
+            const auto& corner = uv_[cut.triangle].corner;
+            const GridPoint a = corner[end.k];
+            const GridPoint b = corner[(end.k + 1) % 3];
+            const double t = end.where == CutEnd::Where::edge ? end.t.approximate() : 0.0;
+            const glm::dvec2 uv(a.u + (double{1} * b.u - a.u) * t,
+                                a.v + (double{1} * b.v - a.v) * t);
+            report_.loose.push_back({position(ends_[e].id), uv / double{kGridOne}});
+        }
+        return std::move(report_);
+    }
+
+    const MeshTopology& topology_;
+    std::span<const glm::vec3> positions_;
+    std::span<const std::array<uint32_t, 3>> triangles_;
+    std::span<const UvTriangle> uv_;
+    std::span<const Cut> cuts_;
+    const SeamOptions& options_;
+    ResolvedEdges& edges_;
+    UnionFind wedges_;
+    std::vector<uint32_t> seamHalfEdges_;
+    std::map<uint32_t, std::vector<uint32_t>>
+        seamsAtVertex_;  ///< vertex -> seam half edges touching it
+    std::vector<SeamEnd> ends_;
+    std::map<uint32_t, std::vector<uint32_t>> endsAt_;  ///< id -> ends there
+    std::vector<Join> joins_;
+    std::vector<uint32_t> loose_;
+    SeamReport report_;
+};
+
+}  // namespace
+
+SeamReport joinAcrossSeams(const MeshTopology& topology, std::span<const glm::vec3> positions,
+                           std::span<const std::array<uint32_t, 3>> triangles,
+                           std::span<const UvTriangle> uv, std::span<const Cut> cuts,
+                           const SeamOptions& options, ResolvedEdges& edges) {
+    return SeamJoiner(topology, positions, triangles, uv, cuts, options, edges).run();
+}
+
+}  // namespace sherd

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Lines that end at a chart border are continued by lines that end near there on the other side:
+// the stretch of the seam between the two ends is marked as a fracture line (geometry: nothing is
+// moved).
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "surface/edge_resolution.h"
+#include "surface/uv_triangle.h"
+
+namespace sherd {
+
+struct SeamOptions {
+    double joinDistance = 0;  ///< farthest apart, along the seam, that two ends are joined; metres
+};
+
+/// A line that ends at a seam and goes on nowhere.
+struct LooseEnd {
+    glm::dvec3 position;
+    glm::dvec2 uv;  ///< on the side the line is drawn on
+};
+
+struct SeamReport {
+    uint32_t joined = 0;
+    std::vector<LooseEnd> loose;
+};
+
+SeamReport joinAcrossSeams(const MeshTopology& topology, std::span<const glm::vec3> positions,
+                           std::span<const std::array<uint32_t, 3>> triangles,
+                           std::span<const UvTriangle> uv, std::span<const Cut> cuts,
+                           const SeamOptions& options, ResolvedEdges& edges);
+
+}  // namespace sherd

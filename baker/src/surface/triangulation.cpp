@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "surface/triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <string>
+
+#include "geometry/constrained_triangulation.h"
+
+namespace sherd {
+namespace {
+
+/// p + t (q - p), seen from `origin`.
+ExactPoint pointAlong(GridPoint p, GridPoint q, LineParameter t, GridPoint origin) {
+    ExactPoint r;
+    r.x = Int128{t.den} * (int64_t{p.u} - origin.u) + Int128{t.num} * (int64_t{q.u} - p.u);
+    r.y = Int128{t.den} * (int64_t{p.v} - origin.v) + Int128{t.num} * (int64_t{q.v} - p.v);
+    r.w = t.den;
+    r.setApproximation();
+    return r;
+}
+
+/// Cuts one triangle. The exact frame is the UV grid where the triangle has area there, else a unit
+/// triangle: then all points are on its border and only their order matters.
+class TriangleSplitter {
+  public:
+    TriangleSplitter(const SplitInput& input, SplitSurface& out, uint32_t triangle)
+        : in_(input), out_(out), triangle_(triangle) {
+        const UvTriangle& uv = in_.uv[triangle];
+        hasArea_ = uv.kind == UvKind::regular || uv.kind == UvKind::mirrored;
+        mirrored_ = uv.kind == UvKind::mirrored;
+        if (hasArea_) {
+            corner_ = uv.corner;
+            if (mirrored_) {
+                for (GridPoint& p : corner_) p.u = -p.u;
+            }
+        }
+        layOutShape();
+    }
+
+    bool split(std::span<const Cut> cuts, uint32_t firstCut) {
+        for (uint8_t k = 0; k < 3; ++k)
+            addPoint(in_.triangles[triangle_][k],
+                     pointAlong(corner_[k], corner_[k], {0, 1}, corner_[0]), cornerWeights(k),
+                     cornerLines(k));
+        for (uint8_t k = 0; k < 3; ++k) addEdgePoints(k);
+        for (uint32_t i = 0; i < cuts.size(); ++i) addCut(cuts[i], firstCut + i);
+        const TriangulationResult result = triangulate(local_);
+        if (!result.valid) return false;
+        for (const auto& t : result.triangles) emit(t);
+        return true;
+    }
+
+  private:
+    /// The triangle in its own plane: what "well shaped" means for the pieces.
+    void layOutShape() {
+        const auto& v = in_.triangles[triangle_];
+        const glm::dvec3 a = in_.positions[v[0]];
+        const glm::dvec3 ab = glm::dvec3(in_.positions[v[1]]) - a;
+        const glm::dvec3 ac = glm::dvec3(in_.positions[v[2]]) - a;
+        const double length = glm::length(ab);
+        const double height = length > 0 ? glm::length(glm::cross(ab, ac)) / length : 0;
+        if (height > 0) {
+            shape_ = {glm::dvec2(0, 0), glm::dvec2(length, 0),
+                      glm::dvec2(glm::dot(ab, ac) / length, height)};
+        } else {
+            shape_ = {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)};
+        }
+    }
+
+    static glm::dvec3 cornerWeights(uint8_t k) {
+        glm::dvec3 w(0.0);
+        w[k] = 1;
+        return w;
+    }
+    static uint32_t edgeLine(uint8_t k) { return 1U << k; }
+    static uint32_t cornerLines(uint8_t k) {
+        return edgeLine(k) | edgeLine(static_cast<uint8_t>((k + 2) % 3));
+    }
+
+    uint32_t addPoint(uint32_t global, ExactPoint exact, const glm::dvec3& weights,
+                      uint32_t lines) {
+        exact.lines = lines;
+        local_.points.push_back(exact);
+        local_.shape.push_back(shape_[0] * weights[0] + shape_[1] * weights[1] +
+                               shape_[2] * weights[2]);
+        global_.push_back(global);
+        localOf_.emplace(global, static_cast<uint32_t>(global_.size()) - 1);
+        return static_cast<uint32_t>(global_.size()) - 1;
+    }
+
+    /// The points of half edge k in order from corner k to corner k + 1, and its marked pieces.
+    void addEdgePoints(uint8_t k) {
+        const uint32_t edge = in_.topology.halfEdgeEdge[3 * triangle_ + k];
+        const uint32_t count = in_.edges.pointCount(edge);
+        const auto next = static_cast<uint8_t>((k + 1) % 3);
+        const bool forward = in_.topology.edges[edge].low == in_.triangles[triangle_][k];
+        uint32_t previous = k;
+        for (uint32_t i = 0; i <= count; ++i) {
+            uint32_t here = next;
+            if (i < count) {
+                const uint32_t p = in_.edges.firstPoint[edge] + (forward ? i : count - 1 - i);
+                LineParameter t = in_.edges.points[p].t;
+                if (!forward) t.num = t.den - t.num;
+                glm::dvec3 weights(0.0);
+                weights[next] = t.approximate();
+                weights[k] = 1 - weights[next];
+                here = addPoint(in_.edges.vertexCount + p,
+                                pointAlong(corner_[k], corner_[next], t, corner_[0]), weights,
+                                edgeLine(k));
+            }
+            const uint32_t piece = in_.edges.firstPiece(edge) + (forward ? i : count - i);
+            if (const uint32_t level = in_.edges.pieceLevel[piece]; level != 0) {
+                local_.constraints.push_back({previous, here, level});
+            }
+            previous = here;
+        }
+    }
+
+    void addCut(const Cut& cut, uint32_t index) {
+        if (edgeAlong(cut) != 3) return;  // a marked piece already
+        std::array<uint32_t, 2> ends{};
+        for (uint32_t end = 0; end < 2; ++end) {
+            const CutEnd& e = end == 0 ? cut.from : cut.to;
+            ends[end] = e.where == CutEnd::Where::inside
+                            ? innerPoint(e.node)
+                            : localOf_.at(in_.edges.cutEnds[index][end]);
+        }
+        local_.constraints.push_back({ends[0], ends[1], cut.level});
+    }
+
+    uint32_t innerPoint(uint32_t node) {
+        if (const auto it = inner_.find(node); it != inner_.end()) return it->second;
+        const MapNode& n = in_.map.nodes[node];
+        ExactPoint exact;
+        if (n.first < 0) {
+            exact = pointAlong(view(n.point), view(n.point), {0, 1}, corner_[0]);
+        } else {
+            const Support& s = in_.map.supports[n.first];
+            const Support& o = in_.map.supports[n.second];
+            const LineParameter t = *crossingParameter(view(s.a), view(s.b), view(o.a), view(o.b));
+            exact = pointAlong(view(s.a), view(s.b), t, corner_[0]);
+        }
+        const glm::dvec3 weights = barycentric(exact);
+        const auto& v = in_.triangles[triangle_];
+        const glm::dvec3 position = glm::dvec3(in_.positions[v[0]]) * weights[0] +
+                                    glm::dvec3(in_.positions[v[1]]) * weights[1] +
+                                    glm::dvec3(in_.positions[v[2]]) * weights[2];
+        const auto global = static_cast<uint32_t>(out_.positions.size());
+        out_.positions.emplace_back(position);
+        out_.origins.push_back({v, weights});
+        const uint32_t local = addPoint(global, exact, weights, 0);
+        inner_.emplace(node, local);
+        return local;
+    }
+
+    GridPoint view(GridPoint p) const { return mirrored_ ? GridPoint{-p.u, p.v} : p; }
+
+    /// Rounded, never negative; decides no topology.
+    glm::dvec3 barycentric(const ExactPoint& p) const {
+        const ExactPoint& b = local_.points[1];
+        const ExactPoint& c = local_.points[2];
+        const double area = b.ax * c.ay - b.ay * c.ax;
+        double wb = std::clamp((p.ax * c.ay - p.ay * c.ax) / area, 0.0, 1.0);
+        double wc = std::clamp((b.ax * p.ay - b.ay * p.ax) / area, 0.0, 1.0);
+        if (wb + wc > 1) {
+            const double sum = wb + wc;
+            wb /= sum;
+            wc /= sum;
+        }
+        return {std::max(0.0, 1 - wb - wc), wb, wc};
+    }
+
+    void emit(const TriangulationResult::Triangle& t) {
+        out_.triangles.push_back(
+            {{global_[t.v[0]], global_[t.v[1]], global_[t.v[2]]}, triangle_, t.mark});
+    }
+
+    const SplitInput& in_;
+    SplitSurface& out_;
+    uint32_t triangle_;
+    bool hasArea_ = false;
+    bool mirrored_ = false;
+    std::array<GridPoint, 3> corner_{GridPoint{0, 0}, GridPoint{1, 0}, GridPoint{0, 1}};
+    std::array<glm::dvec2, 3> shape_{};
+    TriangulationInput local_;
+    std::vector<uint32_t> global_;          ///< split vertex of each local point
+    std::map<uint32_t, uint32_t> localOf_;  ///< and back
+    std::map<uint32_t, uint32_t> inner_;    ///< map node -> local point
+};
+
+void addMeshVerticesAndEdgePoints(const SplitInput& input, SplitSurface& out) {
+    out.meshVertices = static_cast<uint32_t>(input.positions.size());
+    out.positions.assign(input.positions.begin(), input.positions.end());
+    out.origins.resize(out.positions.size());
+    for (uint32_t v = 0; v < out.meshVertices; ++v) out.origins[v] = {{v, v, v}, {1, 0, 0}};
+    for (const EdgePoint& p : input.edges.points) {
+        const auto [low, high] = input.topology.edges[p.edge];
+        const double t = p.t.approximate();
+        const glm::dvec3 a = input.positions[low];
+        const glm::dvec3 b = input.positions[high];
+        out.positions.emplace_back(a * (1 - t) + b * t);
+        out.origins.push_back({{low, high, high}, {1 - t, t, 0}});
+    }
+}
+
+}  // namespace
+
+Result<SplitSurface> splitSurface(const SplitInput& input) {
+    SplitSurface out;
+    addMeshVerticesAndEdgePoints(input, out);
+    out.triangles.reserve(input.triangles.size() + 4 * input.cuts.size());
+    uint32_t cut = 0;
+    for (uint32_t t = 0; t < input.triangles.size(); ++t) {
+        const uint32_t firstCut = cut;
+        while (cut < input.cuts.size() && input.cuts[cut].triangle == t) ++cut;
+        if (input.topology.degenerate[t] != 0) continue;
+        bool untouched = firstCut == cut;
+        std::array<uint32_t, 3> level{};
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t edge = input.topology.halfEdgeEdge[3 * t + k];
+            untouched = untouched && input.edges.pointCount(edge) == 0;
+            level[k] = input.edges.pieceLevel[input.edges.firstPiece(edge)];
+        }
+        if (untouched) {
+            out.triangles.push_back({input.triangles[t], t, level});
+            continue;
+        }
+        TriangleSplitter splitter(input, out, t);
+        if (!splitter.split(input.cuts.subspan(firstCut, cut - firstCut), firstCut)) {
+            return fail(
+                ErrorCode::internal,
+                "cuts cross inside a triangle; this is a mistake in Sherd, please report it",
+                "triangle " + std::to_string(t));
+        }
+    }
+    return out;
+}
+
+}  // namespace sherd

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A triangle's texture coordinates on the exact grid, and what kind of triangle they make.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/exact_grid.h"
+#include "sherd/baker/surface_mesh.h"
+#include "sherd/formats/result.h"
+
+namespace sherd {
+
+/// regular: positive area (mirrored ones are reflected, u -> -u, map and triangle alike).
+/// collinear: the three corners lie on one line but not in one point: lines are conducted through.
+/// point: all corners in one point; no line passes.
+enum class UvKind : uint8_t { regular, mirrored, collinear, point };
+
+struct UvTriangle {
+    std::array<GridPoint, 3> corner;
+    UvKind kind = UvKind::point;
+};
+
+UvKind classify(const std::array<GridPoint, 3>& corner);
+
+/// Every triangle's UV snapped to the grid. Errors: noTextureCoordinates; limitExceeded where a
+/// coordinate is beyond the grid (8 tiles), with triangle and UV.
+Result<std::vector<UvTriangle>> snapUv(const SurfaceMesh& mesh);
+
+}  // namespace sherd
