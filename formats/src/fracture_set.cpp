@@ -21,7 +21,10 @@ std::vector<uint32_t> fragmentsAtLevel(const FractureSet& set, uint32_t level) {
     std::vector<uint32_t> result;
     for (uint32_t f = 0; f < set.fragments.size(); ++f) {
         const Fragment& fragment = set.fragments[f];
-        const bool standsForItself = fragment.level < level && fragment.children.count == 0;
+        // A fragment may stay whole for several levels before it is divided.
+        const bool standsForItself =
+            fragment.level < level &&
+            (fragment.children.count == 0 || set.fragments[fragment.children.first].level > level);
         if (fragment.level == level || standsForItself) result.push_back(f);
     }
     return result;

@@ -18,12 +18,12 @@ struct Range {
 
 /// Where the object stands at rest in its scene. Fragment coordinates are relative to it.
 struct RigidPose {
-    glm::vec3 translation{0.0F};             ///< metres
+    glm::vec3 translation{0.0F};                 ///< metres
     glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};  ///< unit quaternion (w, x, y, z)
 };
 
-/// One float vertex attribute, named as in glTF: "NORMAL", "TANGENT", "TEXCOORD_0", "COLOR_0", "_HEAT".
-/// NORMAL has 3 components, TANGENT 4, TEXCOORD_n 2, COLOR_n 4; custom ones 1 to 4.
+/// One float vertex attribute, named as in glTF: "NORMAL", "TANGENT", "TEXCOORD_0", "COLOR_0",
+/// "_HEAT". NORMAL has 3 components, TANGENT 4, TEXCOORD_n 2, COLOR_n 4; custom ones 1 to 4.
 struct Attribute {
     std::string semantic;
     uint32_t components = 0;
@@ -40,7 +40,8 @@ struct Primitive {
 
 /// One vertex and one index buffer for all fragments of all levels.
 struct FractureGeometry {
-    std::vector<glm::vec3> positions;  ///< metres, in the object's frame (FractureSet::restPose removed)
+    std::vector<glm::vec3>
+        positions;  ///< metres, in the object's frame (FractureSet::restPose removed)
     std::vector<Attribute> attributes;
     std::vector<uint32_t> indices;  ///< triangles, counter-clockwise seen from outside
     std::vector<Primitive> primitives;
@@ -55,19 +56,19 @@ struct Fragment {
     float mass = 0;       ///< kg
     float volume = 0;     ///< m^3
     glm::vec3 centerOfMass{0.0F};
-    glm::vec3 inertiaDiagonal{0.0F};                    ///< kg m^2, about the centre of mass
+    glm::vec3 inertiaDiagonal{0.0F};                       ///< kg m^2, about the centre of mass
     glm::quat inertiaOrientation{1.0F, 0.0F, 0.0F, 0.0F};  ///< principal axes in the object frame
-    Range hulls;                ///< into FractureSet::hulls
-    float density = 1000;       ///< kg/m^3
-    float friction = 0.5F;      ///< static and dynamic
+    Range hulls;                                           ///< into FractureSet::hulls
+    float density = 1000;                                  ///< kg/m^3
+    float friction = 0.5F;                                 ///< static and dynamic
     float restitution = 0.05F;
-    float strength = 1e6F;      ///< Pa
-    float toughness = 50;       ///< J/m^2
+    float strength = 1e6F;  ///< Pa
+    float toughness = 50;   ///< J/m^2
 };
 
 /// A convex collider: points already shrunk inwards by `margin`.
 struct ConvexHull {
-    Range points;     ///< into FractureSet::hullPoints
+    Range points;      ///< into FractureSet::hullPoints
     float margin = 0;  ///< metres: the collision margin to set on the shape
 };
 
@@ -78,8 +79,8 @@ struct Bond {
     float area = 0;  ///< m^2
     glm::vec3 centroid{0.0F};
     glm::vec3 normal{0.0F, 1.0F, 0.0F};  ///< unit, from a to b
-    float strength = 1e6F;   ///< Pa
-    float toughness = 50;    ///< J/m^2
+    float strength = 1e6F;               ///< Pa
+    float toughness = 50;                ///< J/m^2
 };
 
 /// The fragments that first appear at one level: a run of indices.
@@ -97,15 +98,16 @@ struct FractureLevel {
 /// no later than the parent's own level.
 struct FractureSet {
     std::string name;
-    int32_t node = -1;        ///< glTF node that carries the intact mesh
-    int32_t mesh = -1;        ///< glTF mesh of the intact object
-    std::string sourceHash;   ///< hash of the source mesh, to notice a stale set
+    int32_t node = -1;       ///< glTF node that carries the intact mesh
+    int32_t mesh = -1;       ///< glTF mesh of the intact object
+    std::string sourceHash;  ///< hash of the source mesh, to notice a stale set
     RigidPose restPose;
     std::vector<int32_t> materials;  ///< glTF material index each, -1: the default material
     std::vector<FractureLevel> levels;
     std::vector<Fragment> fragments;
     /// fragmentRanges[f * primitives.size() + p]: the indices fragment f owns in primitive p.
-    /// Absolute into FractureGeometry::indices. A fragment shows those with exposedFrom <= its level.
+    /// Absolute into FractureGeometry::indices. A fragment shows those with exposedFrom <= its
+    /// level.
     std::vector<Range> fragmentRanges;
     std::vector<ConvexHull> hulls;
     std::vector<glm::vec3> hullPoints;
@@ -116,7 +118,8 @@ struct FractureSet {
 /// The triangles (three vertex indices each) that fragment f shows when it is a body of its own.
 std::vector<std::array<uint32_t, 3>> fragmentTriangles(const FractureSet& set, uint32_t fragment);
 
-/// The fragments that make up the object at `level`: its own and undivided shallower ones, ascending.
+/// The fragments that make up the object at `level`: its own and undivided shallower ones,
+/// ascending.
 std::vector<uint32_t> fragmentsAtLevel(const FractureSet& set, uint32_t level);
 
 }  // namespace sherd

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -22,8 +23,14 @@ struct NewMaterial {
     float roughness = 0.9F;
 };
 
+/// The document without `SHERD_mesh_fracture`: what attachFractureSets added is taken out again,
+/// bytes and all, as long as no other tool has appended behind it or refers to it.
+Result<GltfDocument> withoutFractureSets(const GltfDocument& document);
+
 /// The document with the fracture sets hung on their nodes (`SHERD_mesh_fracture`), as one GLB.
-/// Everything the document held stays as it was; `sourceHash` of each set is filled in here.
+/// Everything the document held stays as it was, except fracture sets of an earlier bake: they are
+/// replaced. `sourceHash` of each set is computed here, `mesh` is the one of the set's node.
+/// Material indices count in `document` as given.
 Result<std::vector<uint8_t>> attachFractureSets(const GltfDocument& document,
                                                 std::span<const FractureSet> sets,
                                                 std::span<const NewMaterial> newMaterials);

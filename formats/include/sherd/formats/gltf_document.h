@@ -18,7 +18,8 @@ struct GltfDocument {
     std::vector<uint8_t> bin;
 };
 
-/// Reads `.glb` or `.gltf`. Refuses truncated files, nesting deeper than 128, sizes that overrun the file.
+/// Reads `.glb` or `.gltf`. Refuses truncated files, nesting deeper than 128, sizes that overrun
+/// the file.
 Result<GltfDocument> loadGltfDocument(const std::filesystem::path& path);
 
 /// The same from the bytes of a `.glb`. `name` is used in errors.

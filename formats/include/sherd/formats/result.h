@@ -22,11 +22,11 @@ enum class ErrorCode {
     noTextureCoordinates,  ///< lines are drawn in UV, and the mesh has none
     skinnedMesh,           ///< skinned or morphed: it has no single shape to break
     openMesh,              ///< the surface has boundary edges
-    nonManifoldMesh,       ///< an edge is used by more than two triangles, or twice in one direction
-    emptyMap,              ///< the fracture map holds no line
-    separatesNothing,      ///< the lines cut the surface into no more pieces than it had
-    notClosed,             ///< a fragment failed the closedness proof: nothing is written
-    internal,              ///< a mistake in Sherd itself
+    nonManifoldMesh,   ///< an edge is used by more than two triangles, or twice in one direction
+    emptyMap,          ///< the fracture map holds no line
+    separatesNothing,  ///< the lines cut the surface into no more pieces than it had
+    notClosed,         ///< a fragment failed the closedness proof: nothing is written
+    internal,          ///< a mistake in Sherd itself
 };
 
 /// A failure: what (`message`, with what to do about it) and where (`where`: file, JSON pointer,
