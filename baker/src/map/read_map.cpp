@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "map/map_limits.h"
+
+namespace sherd {
+
+namespace {
+
+Error tooLarge(const std::string& name) {
+    return {ErrorCode::limitExceeded,
+            "the fracture map is larger than " + std::to_string(kMaxMapBytes >> 20) +
+                " MiB; embedded images belong beside it",
+            name};
+}
+
+std::string lowerExtension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+Result<std::string> readText(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        return fail(ErrorCode::fileNotFound, "the fracture map does not exist", path.string());
+    if (std::filesystem::is_directory(path, error))
+        return fail(ErrorCode::fileRead, "the fracture map is a folder", path.string());
+    const uintmax_t size = std::filesystem::file_size(path, error);
+    if (!error && size > kMaxMapBytes) return tl::unexpected(tooLarge(path.string()));
+    std::ifstream file(path, std::ios::binary);
+    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    if (!file.good() && !file.eof())
+        return fail(ErrorCode::fileRead, "the fracture map cannot be read", path.string());
+    return text;
+}
+
+}  // namespace
+
+Result<void> checkMapInput(std::string_view text, const std::string& name,
+                           const MapReadOptions& options) {
+    if (text.size() > kMaxMapBytes) return tl::unexpected(tooLarge(name));
+    if (options.level < 1 || options.level > kMaxMapLevel)
+        return fail(ErrorCode::badArgument,
+                    "a map's level must be from 1 to " + std::to_string(kMaxMapLevel), name);
+    if (!(options.tolerance >= 1e-8) || !(options.tolerance <= 1))
+        return fail(ErrorCode::badArgument,
+                    "the flattening tolerance must be from 1e-8 to 1 UV units", name);
+    return {};
+}
+
+Result<FractureMap> readFractureMap(const std::filesystem::path& path,
+                                    const MapReadOptions& options) {
+    const std::string extension = lowerExtension(path);
+    if (extension != ".svg" && extension != ".json")
+        return fail(ErrorCode::unsupported,
+                    "fracture maps are read from .svg and .json files; this is neither",
+                    path.string());
+    const Result<std::string> text = readText(path);
+    if (!text) return tl::unexpected(text.error());
+    const std::string name = path.filename().string();
+    return extension == ".svg" ? readSvgMap(*text, name, options)
+                               : readJsonMap(*text, name, options);
+}
+
+}  // namespace sherd
