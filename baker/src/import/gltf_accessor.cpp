@@ -6,6 +6,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "import/limits.h"
+
 namespace sherd {
 namespace {
 

@@ -10,9 +10,6 @@
 
 namespace sherd {
 
-/// Most vertices or triangles one imported mesh may have.
-inline constexpr uint64_t kMaxImportElements = uint64_t{1} << 26;
-
 /// Accessor values as floats; normalised integers are scaled to [0,1] or [-1,1].
 struct FloatAccessor {
     uint32_t components = 0;

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <limits>
 
-#include "import/gltf_accessor.h"
 #include "import/gltf_primitive.h"
+#include "import/limits.h"
 #include "import/node_transforms.h"
 
 namespace sherd {

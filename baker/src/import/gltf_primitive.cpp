@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "import/gltf_accessor.h"
+#include "import/limits.h"
 
 namespace sherd {
 namespace {

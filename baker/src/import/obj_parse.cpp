@@ -7,7 +7,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "import/gltf_accessor.h"
+#include "import/limits.h"
 #include "import/text_cursor.h"
 
 namespace sherd {
