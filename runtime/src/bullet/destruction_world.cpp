@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "sherd/runtime/bullet/destruction_world.h"
+
+#include <BulletDynamics/Dynamics/btActionInterface.h>
+#include <BulletDynamics/Dynamics/btDynamicsWorld.h>
+
+#include <cmath>
+#include <new>
+
+#include "bullet/body_store.h"
+#include "bullet/breaker.h"
+
+namespace sherd {
+namespace {
+
+bool finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Result<void> checkSpawn(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
+                        const SpawnOptions& options) {
+    if (!asset) return fail(ErrorCode::badArgument, "the asset is null; load one first", "asset");
+    const float norm = glm::dot(pose.rotation, pose.rotation);
+    if (!finite(pose.translation) || !std::isfinite(norm) || std::abs(norm - 1) > 1e-3F) {
+        return fail(ErrorCode::badArgument,
+                    "the pose must have a finite place and a unit quaternion", "pose");
+    }
+    if (!finite(options.linearVelocity) || !finite(options.angularVelocity)) {
+        return fail(ErrorCode::badArgument, "the velocities must be finite", "options");
+    }
+    const DamageOptions& damage = options.damage;
+    const bool damageOk =
+        damage.toughnessScale > 0 && damage.minimumImpulse >= 0 && damage.minimumEnergy >= 0;
+    if (!damageOk) {
+        return fail(ErrorCode::badArgument,
+                    "toughnessScale must be positive, the minimum values not negative",
+                    "options.damage");
+    }
+    return {};
+}
+
+}  // namespace
+
+class DestructionWorld::Impl final : public btActionInterface {
+  public:
+    Impl(btDynamicsWorld& bullet, const WorldOptions& options)
+        : world(bullet), settings(options), store(bullet), breaker(bullet, store, options) {
+        if (settings.drive == Drive::action) world.addAction(this);
+    }
+    ~Impl() override {
+        if (settings.drive == Drive::action) world.removeAction(this);
+    }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    // Bullet runs actions at the end of every substep, when the contact points hold its impulses.
+    void updateAction(btCollisionWorld* /*world*/, btScalar dt) override { step(dt, true); }
+    void debugDraw(btIDebugDraw* /*drawer*/) override {}
+
+    // Out of memory within a step ends the program rather than leave half a swap behind.
+    void step(float dt, bool inStep) noexcept {
+        time += dt;
+        breaker.step(time, inStep);
+    }
+
+    btDynamicsWorld& world;
+    WorldOptions settings;
+    BodyStore store;
+    Breaker breaker;
+    double time = 0;
+};
+
+DestructionWorld::DestructionWorld(btDynamicsWorld& world, const WorldOptions& options)
+    : impl_(std::make_unique<Impl>(world, options)) {}
+
+DestructionWorld::~DestructionWorld() = default;
+
+Result<ObjectId> DestructionWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose& pose,
+                                         const SpawnOptions& options) {
+    if (auto ok = checkSpawn(asset, pose, options); !ok) return tl::unexpected<Error>(ok.error());
+    SpawnOptions combined = options;
+    combined.damage = combine(impl_->settings.damage, options.damage);
+    try {
+        return impl_->store.spawn(std::move(asset), pose, combined);
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::limitExceeded, "not enough memory for the object");
+    }
+}
+
+bool DestructionWorld::remove(ObjectId object) {
+    if (!impl_->store.isAlive(object)) return false;
+    impl_->breaker.removeObject(object.index);
+    return true;
+}
+
+bool DestructionWorld::breakFragment(ObjectId object, uint32_t fragment) {
+    if (!impl_->store.isAlive(object)) return false;
+    const uint32_t piece = impl_->store.findPiece(object.index, fragment);
+    if (piece == UINT32_MAX) return false;
+    const Asset& asset = impl_->store.object(object.index).asset();
+    if (asset.fragment(fragment).children.count == 0) return false;
+    impl_->breaker.breakPiece(piece, impl_->time);
+    return true;
+}
+
+void DestructionWorld::afterStep(float dt) {
+    if (impl_->settings.drive == Drive::manual && dt > 0) impl_->step(dt, false);
+}
+
+std::span<const FragmentPose> DestructionWorld::poses() const {
+    return impl_->store.poses();
+}
+
+std::span<const BreakEvent> DestructionWorld::events() {
+    return impl_->breaker.takeEvents();
+}
+
+bool DestructionWorld::isAlive(ObjectId object) const {
+    return impl_->store.isAlive(object);
+}
+
+btRigidBody* DestructionWorld::body(ObjectId object, uint32_t fragment) const {
+    if (!impl_->store.isAlive(object)) return nullptr;
+    const uint32_t piece = impl_->store.findPiece(object.index, fragment);
+    return piece == UINT32_MAX ? nullptr : impl_->store.piece(piece).body.get();
+}
+
+std::optional<BodyInfo> DestructionWorld::find(const btCollisionObject& body) const {
+    const uint32_t index = impl_->store.pieceOf(body);
+    if (index == UINT32_MAX) return std::nullopt;
+    const Piece& piece = impl_->store.piece(index);
+    return BodyInfo{impl_->store.idOf(piece.object), piece.fragment};
+}
+
+uint32_t DestructionWorld::bodyCount() const {
+    return impl_->store.bodyCount();
+}
+
+uint32_t DestructionWorld::ignoredPairCount() const {
+    return uint32_t(impl_->breaker.ignoredPairCount());
+}
+
+double DestructionWorld::time() const {
+    return impl_->time;
+}
+
+}  // namespace sherd

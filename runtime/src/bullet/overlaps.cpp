@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "bullet/overlaps.h"
+
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include <algorithm>
+
+namespace sherd {
+namespace {
+
+template <class Visit>
+void forEachHull(const btCollisionObject& body, const Visit& visit) {
+    const btCollisionShape* shape = body.getCollisionShape();
+    if (!shape->isCompound()) {
+        visit(*static_cast<const btConvexShape*>(shape), body.getWorldTransform());
+        return;
+    }
+    const auto& compound = *static_cast<const btCompoundShape*>(shape);
+    for (int c = 0; c < compound.getNumChildShapes(); ++c) {
+        visit(*static_cast<const btConvexShape*>(compound.getChildShape(c)),
+              body.getWorldTransform() * compound.getChildTransform(c));
+    }
+}
+
+/// Signed distance by GJK, and EPA where they overlap (van den Bergen 2001), as Bullet's own
+/// narrow phase finds it, so that what is called apart here makes no contact force there.
+float hullDistance(const btConvexShape& a, const btTransform& poseA, const btConvexShape& b,
+                   const btTransform& poseB) {
+    btVoronoiSimplexSolver simplex;
+    btGjkEpaPenetrationDepthSolver penetration;
+    btGjkPairDetector detector(&a, &b, &simplex, &penetration);
+    btGjkPairDetector::ClosestPointInput input;
+    input.m_transformA = poseA;
+    input.m_transformB = poseB;
+    btPointCollector closest;
+    detector.getClosestPoints(input, closest, nullptr);
+    // No result means that both algorithms gave up, which they do only deep inside.
+    return closest.m_hasResult ? closest.m_distance : -BT_LARGE_FLOAT;
+}
+
+bool hullsPenetrate(const btConvexShape& a, const btTransform& poseA, const btConvexShape& b,
+                    const btTransform& poseB, float tolerance) {
+    btVector3 lowA;
+    btVector3 highA;
+    btVector3 lowB;
+    btVector3 highB;
+    a.getAabb(poseA, lowA, highA);
+    b.getAabb(poseB, lowB, highB);
+    if (!TestAabbAgainstAabb2(lowA, highA, lowB, highB)) return false;
+    return hullDistance(a, poseA, b, poseB) < -tolerance;
+}
+
+constexpr size_t kChecksPerStep = 256;  // about 0.3 ms
+
+}  // namespace
+
+bool penetrates(const btCollisionObject& a, const btCollisionObject& b, float tolerance) {
+    bool found = false;
+    forEachHull(a, [&](const btConvexShape& hullA, const btTransform& poseA) {
+        forEachHull(b, [&](const btConvexShape& hullB, const btTransform& poseB) {
+            found = found || hullsPenetrate(hullA, poseA, hullB, poseB, tolerance);
+        });
+    });
+    return found;
+}
+
+float distanceTo(const btCollisionObject& body, const btVector3& point) {
+    const btSphereShape dot(0);
+    btTransform place = btTransform::getIdentity();
+    place.setOrigin(point);
+    float nearest = BT_LARGE_FLOAT;
+    forEachHull(body, [&](const btConvexShape& hull, const btTransform& pose) {
+        nearest = std::min(nearest, float(hullDistance(hull, pose, dot, place)));
+    });
+    return nearest;
+}
+
+void IgnoredPairs::addIfOverlapping(btCollisionObject& a, btCollisionObject& b, float tolerance) {
+    if (&a == &b || !a.checkCollideWith(&b) || !penetrates(a, b, tolerance)) return;
+    pairs_.push_back({&a, &b, tolerance});
+    setIgnored(pairs_.back(), true);
+}
+
+void IgnoredPairs::releaseSeparated() {
+    for (size_t checked = 0; checked < kChecksPerStep && !pairs_.empty(); ++checked) {
+        if (next_ == 0) next_ = pairs_.size();
+        const Pair pair = pairs_[--next_];
+        if (!pair.a->isActive() && !pair.b->isActive()) {
+            if (next_ == 0) return;
+            continue;
+        }
+        if (!penetrates(*pair.a, *pair.b, pair.tolerance)) {
+            setIgnored(pair, false);
+            pairs_[next_] = pairs_.back();
+            pairs_.pop_back();
+            next_ = std::min(next_, pairs_.size());
+        }
+        if (next_ == 0) return;
+    }
+}
+
+void IgnoredPairs::remove(const btCollisionObject& body,
+                          std::vector<btCollisionObject*>& partners) {
+    const auto kept = std::stable_partition(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+        return pair.a != &body && pair.b != &body;
+    });
+    for (auto pair = kept; pair != pairs_.end(); ++pair) {
+        setIgnored(*pair, false);
+        partners.push_back(pair->a == &body ? pair->b : pair->a);
+    }
+    pairs_.erase(kept, pairs_.end());
+    next_ = std::min(next_, pairs_.size());
+}
+
+void IgnoredPairs::setIgnored(const Pair& pair, bool ignored) {
+    pair.a->setIgnoreCollisionCheck(pair.b, ignored);
+    pair.b->setIgnoreCollisionCheck(pair.a, ignored);
+    if (!ignored) {
+        pair.a->activate();
+        pair.b->activate();
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+
+#include <vector>
+
+namespace sherd {
+
+/// Whether two bodies made of convex hulls are inside each other by more than `tolerance`, metres,
+/// collision margins included.
+bool penetrates(const btCollisionObject& a, const btCollisionObject& b, float tolerance);
+
+/// Distance from a point to a body made of convex hulls, metres; negative inside.
+float distanceTo(const btCollisionObject& body, const btVector3& point);
+
+/// Pairs of bodies that overlapped when they were released. Pushing them apart at once would blow
+/// the pile up (hulls of concave neighbours overlap), so they ignore each other until apart.
+class IgnoredPairs {
+  public:
+    /// Ignores the pair if it penetrates and is not ignored already.
+    void addIfOverlapping(btCollisionObject& a, btCollisionObject& b, float tolerance);
+
+    /// Lets pairs that came apart collide again. Looks at a bounded number of pairs per call, in
+    /// turn, so that the cost of a step stays bounded however many there are.
+    void releaseSeparated();
+
+    /// Forgets a body about to be deleted. Its partners are appended to `partners`.
+    void remove(const btCollisionObject& body, std::vector<btCollisionObject*>& partners);
+
+    [[nodiscard]] size_t size() const { return pairs_.size(); }
+
+  private:
+    struct Pair {
+        btCollisionObject* a;
+        btCollisionObject* b;
+        float tolerance;
+    };
+    static void setIgnored(const Pair& pair, bool ignored);
+
+    std::vector<Pair> pairs_;
+    size_t next_ = 0;
+};
+
+}  // namespace sherd

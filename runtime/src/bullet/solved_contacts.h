@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <cstdint>
+#include <vector>
+
+class btCollisionWorld;
+
+namespace sherd {
+
+/// All contact points of two bodies in the substep just solved, as one.
+struct SolvedPair {
+    uint32_t a = 0;  ///< into SolvedContacts::bodies
+    uint32_t b = 0;
+    btVector3 normal{0, 0, 0};   ///< unit, from b to a
+    btVector3 point{0, 0, 0};    ///< world; where the impulses' mean acts
+    float normalImpulse = 0;     ///< N s
+    btVector3 impulse{0, 0, 0};  ///< on a, with friction; b got the opposite, N s
+    btVector3 twist{0, 0, 0};    ///< moment of the impulses about `point`, on a, N m s
+    bool undone = false;
+};
+
+struct Motion {
+    btVector3 linear{0, 0, 0};
+    btVector3 angular{0, 0, 0};
+};
+
+/// What the solver did in the substep just done, read from Bullet's contact points, which hold the
+/// impulses applied until the next substep. Subtracting them gives every body's velocity from
+/// before the contact without having recorded it, whatever the game did to velocities in between.
+class SolvedContacts {
+  public:
+    /// Reads the world's contacts. Sleeping pairs are skipped: their impulses are old.
+    void gather(btCollisionWorld& world);
+
+    [[nodiscard]] const std::vector<SolvedPair>& pairs() const { return pairs_; }
+    /// Null once `forget` was called.
+    [[nodiscard]] btCollisionObject* body(uint32_t index) const { return bodies_[index]; }
+
+    /// Velocity from before the solve (with this substep's gravity), m/s and rad/s.
+    [[nodiscard]] Motion motionBefore(uint32_t index) const;
+
+    /// Gives the bodies of the pair, and those that passed at least `leastImpulse` on to each
+    /// other, their velocities from before the solve. Every pair is undone whole, at one point, on
+    /// both sides, so neither linear nor angular momentum is made. Weaker contacts (supported
+    /// weight) keep their impulse.
+    void undoAround(size_t pair, float leastImpulse);
+
+    /// The body is about to be deleted.
+    void forget(uint32_t index) { bodies_[index] = nullptr; }
+
+  private:
+    uint32_t localIndex(btCollisionObject& body);
+    void mergePairs();
+    void linkBodies();
+    void undo(SolvedPair& pair);
+
+    std::vector<SolvedPair> pairs_;
+    std::vector<btCollisionObject*> bodies_;
+    std::vector<Motion> received_;     ///< per body: impulse, and moment about its centre of mass
+    std::vector<uint32_t> localOf_;    ///< by Bullet's world array index
+    std::vector<uint32_t> firstLink_;  ///< per body, into links_
+    std::vector<uint32_t> links_;      ///< pairs
+    std::vector<size_t> queue_;        ///< pairs whose bodies are still to be spread from
+};
+
+/// Velocity of a body's material at a world point; zero for what is not a rigid body.
+btVector3 velocityAt(const btCollisionObject& body, const Motion& motion, const btVector3& point);
+Motion motionNow(const btCollisionObject& body);
+
+/// 1 / (1/m_a + 1/m_b) at the point along the normal, with rotation, kg. Fixed, kinematic and
+/// foreign kinds of body count as immovable. 0 when both are.
+float effectiveMass(const btCollisionObject& a, const btCollisionObject& b, const btVector3& point,
+                    const btVector3& normal);
+
+/// The opposite impulses +j n on a and -j n on b at one point.
+void applyPair(btCollisionObject& a, btCollisionObject& b, const btVector3& point,
+               const btVector3& impulse);
+
+}  // namespace sherd
