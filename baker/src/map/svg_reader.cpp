@@ -52,7 +52,7 @@ std::string_view attributeOf(const pugi::xml_node& node, std::string_view local)
 bool isGuide(const pugi::xml_node& node) {
     return startsWith(node.name(), "sherd:") || node.attribute("data-sherd-guide") ||
            startsWith(node.attribute("id").value(), "sherd-guide") ||
-           attributeOf(node, "label") == "sherd guide";
+           startsWith(attributeOf(node, "label"), "sherd guide");
 }
 
 /// Elements that never draw lines themselves; worth a word when they are there.
@@ -150,7 +150,10 @@ class SvgReader {
         if (node.type() != pugi::node_element) return true;
         const std::string_view full = node.name();
         const std::string_view name = localName(full);
-        if (isGuide(node)) return true;
+        if (isGuide(node)) {
+            countStrays(node);
+            return true;
+        }
         if (full != name && !startsWith(full, "svg:")) return true;  // the editor's own notes
         if (++elements_ > kMaxElements)
             return stop(ErrorCode::limitExceeded,
@@ -173,6 +176,19 @@ class SvgReader {
         if (name == "use") return visitUse(node, context);
         if (name == "svg") enterViewport(node, context.viewport, true, context);
         return visitChildren(node, context);
+    }
+
+    /// Shapes in the guide layer that the layout did not put there: drawn in the wrong layer.
+    void countStrays(const pugi::xml_node& guide) {
+        struct Walker : pugi::xml_tree_walker {
+            bool for_each(pugi::xml_node& node) override {
+                if (isSvgShape(localName(node.name())) && !isGuide(node)) ++strays;
+                return true;
+            }
+            size_t strays = 0;
+        } walker;
+        pugi::xml_node(guide).traverse(walker);
+        strays_ += walker.strays;
     }
 
     bool visitChildren(const pugi::xml_node& node, const Context& context) {
@@ -291,11 +307,20 @@ class SvgReader {
         return true;
     }
 
+    /// "2 hidden element(s), 1 text": what was not drawn, in a fixed order.
+    std::string passedOver() const {
+        std::string list;
+        const auto add = [&list](size_t count, const std::string& what) {
+            if (count > 0) list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+        };
+        add(strays_, "shape(s) drawn in the guide layer (move them to a level layer)");
+        add(hidden_, "hidden element(s)");
+        for (const auto& [name, count] : ignored_) add(count, name);
+        return list;
+    }
+
     Result<FractureMap> finish() {
-        std::string ignored;
-        if (hidden_ > 0) ignored = std::to_string(hidden_) + " hidden element(s)";
-        for (const auto& [name, count] : ignored_)
-            ignored += (ignored.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+        const std::string ignored = passedOver();
         if (map_.lines.empty())
             return fail(ErrorCode::emptyMap,
                         "the drawing holds no line to break along" +
@@ -317,7 +342,7 @@ class SvgReader {
     std::vector<std::string> warnings_;
     std::map<std::string, size_t> ignored_;
     std::vector<pugi::xml_node> inUse_;
-    size_t hidden_ = 0, elements_ = 0, points_ = 0;
+    size_t hidden_ = 0, strays_ = 0, elements_ = 0, points_ = 0;
     std::optional<Error> error_;
 };
 
