@@ -2,12 +2,14 @@
 // Closed surfaces made in code, outward orientation.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "sherd/baker/surface_mesh.h"
@@ -82,6 +84,41 @@ inline Shape sphere(const glm::vec3& centre, const glm::vec3& radii, int n) {
         const float length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
         return centre + radii * (p / length);
     });
+    return shape;
+}
+
+/// A regular icosahedron, each edge halved `steps` times, on a sphere: even sampling.
+inline Shape icosphere(const glm::vec3& centre, float radius, int steps) {
+    Shape shape;
+    const float g = std::numbers::phi_v<float>;
+    shape.positions = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                       {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    shape.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                       {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                       {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                       {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+    for (int step = 0; step < steps; ++step) {
+        std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+        const auto middle = [&](uint32_t a, uint32_t b) {
+            const auto next = static_cast<uint32_t>(shape.positions.size());
+            const auto [it, isNew] = middles.try_emplace(std::minmax(a, b), next);
+            if (isNew) shape.positions.push_back((shape.positions[a] + shape.positions[b]) / 2.0F);
+            return it->second;
+        };
+        std::vector<std::array<uint32_t, 3>> halved;
+        for (const auto& [a, b, c] : shape.triangles) {
+            const uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            halved.push_back({a, ab, ca});
+            halved.push_back({b, bc, ab});
+            halved.push_back({c, ca, bc});
+            halved.push_back({ab, bc, ca});
+        }
+        shape.triangles = halved;
+        for (glm::vec3& p : shape.positions) {
+            p *= std::sqrt((1 + g * g) / (p.x * p.x + p.y * p.y + p.z * p.z));
+        }
+    }
+    shape.transform([&](glm::vec3 p) { return centre + p * (radius / std::sqrt(1 + g * g)); });
     return shape;
 }
 
