@@ -40,13 +40,13 @@ struct Breaker::Strike {
     btVector3 normal{0, 0, 0};  ///< from bodies[1] to bodies[0]
 };
 
-void Breaker::step(double time, bool inStep) {
+void Breaker::step(double time, float dt, bool inStep) {
     time_ = time;
     inStep_ = inStep;
     ignored_.releaseSeparated();
     store_.readPoses();
     if (store_.breakableCount() == 0) return;
-    contacts_.gather(world_);
+    contacts_.gather(world_, dt, inStep);
     findHits();
     for (const Hit& hit : hits_) applyHit(hit);
     if (!hits_.empty()) settleOverlaps();
@@ -60,11 +60,12 @@ void Breaker::findHits() {
         const bool ours = store_.pieceOf(*strike.bodies[0]) != kNoPiece ||
                           store_.pieceOf(*strike.bodies[1]) != kNoPiece;
         if (!ours || !(pair.normalImpulse > 0)) continue;
+        const auto velocity = [&](uint32_t index) {
+            return velocityAt(*contacts_.body(index), contacts_.motionBefore(index), pair.point) -
+                   contacts_.pushOfForces(index);
+        };
         Contact contact;
-        const btVector3 relative =
-            velocityAt(*strike.bodies[0], contacts_.motionBefore(pair.a), pair.point) -
-            velocityAt(*strike.bodies[1], contacts_.motionBefore(pair.b), pair.point);
-        contact.approachSpeed = -relative.dot(pair.normal);
+        contact.approachSpeed = -(velocity(pair.a) - velocity(pair.b)).dot(pair.normal);
         contact.effectiveMass =
             effectiveMass(*strike.bodies[0], *strike.bodies[1], pair.point, pair.normal);
         contact.impulse = pair.normalImpulse;
@@ -104,7 +105,7 @@ void Breaker::applyHit(const Hit& hit) {
     if (!strike.bodies[0] || !strike.bodies[1]) return;  // broken by a harder hit of this substep
     // Another hit may have taken this contact back, and used up its energy.
     const bool measured = !pair.undone;
-    contacts_.undoAround(hit.pair, kShockShare * pair.normalImpulse);
+    float surplus = contacts_.undoAround(hit.pair, kShockShare * pair.normalImpulse);
     Contact contact =
         measured ? hit.contact
                  : contactNow(*strike.bodies[0], *strike.bodies[1], strike.point, strike.normal);
@@ -115,30 +116,33 @@ void Breaker::applyHit(const Hit& hit) {
         if (strike.bodies[side] == contacts_.body(side == 0 ? pair.a : pair.b)) {
             contacts_.forget(side == 0 ? pair.a : pair.b);
         }
-        breakSide(strike, side, contact, energy);
+        breakSide(strike, side, contact, surplus);
+        surplus = 0;
         contact = contactNow(*strike.bodies[0], *strike.bodies[1], strike.point, strike.normal);
     }
 }
 
-void Breaker::breakSide(Strike& strike, uint32_t side, const Contact& contact, float energy) {
+void Breaker::breakSide(Strike& strike, uint32_t side, const Contact& contact, float surplus) {
     const uint32_t index = store_.pieceOf(*strike.bodies[side]);
     const Piece& piece = store_.piece(index);
     const Object& object = store_.object(piece.object);
     const float consumed = breakThreshold(object.asset(), piece.fragment, object.options.damage);
 
-    // The impulse j with j v - j^2 / (2 m) = consumed: the relative motion loses exactly that.
-    const float speed = contact.approachSpeed;
-    const float left = speed * speed - 2 * consumed / contact.effectiveMass;
-    const float impulse = contact.effectiveMass * (speed - std::sqrt(std::max(left, 0.0F)));
+    // The impulse j with j v - j^2 / (2 m) = taken: the relative motion loses exactly that.
+    const Contact now =
+        contactNow(*strike.bodies[0], *strike.bodies[1], strike.point, strike.normal);
+    const float speed = std::max(now.approachSpeed, 0.0F);
+    const float left = speed * speed - 2 * (consumed + surplus) / now.effectiveMass;
+    const float impulse = now.effectiveMass * (speed - std::sqrt(std::max(left, 0.0F)));
     applyPair(*strike.bodies[0], *strike.bodies[1], strike.point, strike.normal * impulse);
 
     BreakEvent event;
     event.point = toGlm(strike.point);
     event.normal = toGlm(side == 0 ? strike.normal : -strike.normal);
     event.impulse = contact.impulse;
-    event.energy = energy;
+    event.energy = contactEnergy(contact);
     event.consumed = consumed;
-    event.approachSpeed = speed;
+    event.approachSpeed = contact.approachSpeed;
     float nearest = BT_LARGE_FLOAT;
     for (const uint32_t child : swap(index, event)) {
         btRigidBody& body = *store_.piece(child).body;

@@ -18,7 +18,7 @@ class Breaker {
         : world_(world), store_(store), options_(options) {}
 
     /// Call when a substep has been solved and integrated. `inStep`: from within stepSimulation.
-    void step(double time, bool inStep);
+    void step(double time, float dt, bool inStep);
     /// Without a hit, between steps.
     void breakPiece(uint32_t piece, double time);
     void removeObject(uint32_t object);
@@ -37,7 +37,7 @@ class Breaker {
     void findHits();
     void applyHit(const Hit& hit);
     [[nodiscard]] uint32_t weakerSide(const Strike& strike, float energy, float impulse) const;
-    void breakSide(Strike& strike, uint32_t side, const Contact& contact, float energy);
+    void breakSide(Strike& strike, uint32_t side, const Contact& contact, float surplus);
     std::span<const uint32_t> swap(uint32_t piece, const BreakEvent& event);
     void joinGroup(uint32_t parent, std::span<const uint32_t> children);
     void settleOverlaps();

@@ -60,7 +60,7 @@ class DestructionWorld::Impl final : public btActionInterface {
     // Out of memory within a step ends the program rather than leave half a swap behind.
     void step(float dt, bool inStep) noexcept {
         time += dt;
-        breaker.step(time, inStep);
+        breaker.step(time, dt, inStep);
     }
 
     btDynamicsWorld& world;

@@ -4,6 +4,7 @@
 #include <BulletCollision/BroadphaseCollision/btBroadphaseProxy.h>
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <LinearMath/btTransformUtil.h>
 
 #include <algorithm>
 #include <utility>
@@ -26,8 +27,8 @@ bool awake(const btCollisionObject* object) {
     return movable(object) && object->isActive();
 }
 
-/// One manifold's points summed, relative to `origin`: `point` is still the weighted sum, `twist`
-/// the moment about `origin`.
+/// One manifold's points summed, relative to `origin`: `point` is still the weighted sum, the
+/// twists are about `origin`.
 SolvedPair sumPoints(const btPersistentManifold& manifold, const btVector3& origin) {
     SolvedPair sum;
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
@@ -38,16 +39,40 @@ SolvedPair sumPoints(const btPersistentManifold& manifold, const btVector3& orig
         const btVector3 total = push +
                                 contact.m_lateralFrictionDir1 * contact.m_appliedImpulseLateral1 +
                                 contact.m_lateralFrictionDir2 * contact.m_appliedImpulseLateral2;
-        const btVector3 place =
-            (contact.getPositionWorldOnA() + contact.getPositionWorldOnB()) * btScalar(0.5) -
-            origin;
+        const btVector3 placeA = contact.getPositionWorldOnA() - origin;
+        const btVector3 placeB = contact.getPositionWorldOnB() - origin;
         sum.normal += push;
-        sum.point += place * contact.m_appliedImpulse;
+        sum.point += (placeA + placeB) * (btScalar(0.5) * contact.m_appliedImpulse);
         sum.normalImpulse += contact.m_appliedImpulse;
         sum.impulse += total;
-        sum.twist += place.cross(total);
+        sum.twistA += placeA.cross(total);
+        sum.twistB += placeB.cross(total);
     }
     return sum;
+}
+
+double kineticEnergy(const btRigidBody& body, const Motion& motion, const btMatrix3x3& axes) {
+    const btVector3 spin = motion.angular * axes;  // along the principal axes
+    const btVector3& inverse = body.getInvInertiaDiagLocal();
+    double energy = motion.linear.length2() / body.getInvMass();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (inverse[axis] > 0) energy += spin[axis] * spin[axis] / inverse[axis];
+    }
+    return 0.5 * energy;
+}
+
+/// Where a body was before the substep moved it. Not simply back by v dt: pushing apart what
+/// penetrates moves bodies without giving them velocity. A contact point knows its place in the
+/// body and where that was in the world before the substep.
+btTransform poseBefore(const btCollisionObject& object, const btVector3& contactPoint,
+                       const btVector3& inBody, float dt) {
+    const btTransform& now = object.getWorldTransform();
+    if (!movable(&object)) return now;
+    const Motion motion = motionNow(object);
+    btTransform before;
+    btTransformUtil::integrateTransform(now, motion.linear, motion.angular, -dt, before);
+    before.setOrigin(contactPoint - before.getBasis() * inBody);
+    return before;
 }
 
 int orderKey(const btCollisionObject& object) {
@@ -56,9 +81,12 @@ int orderKey(const btCollisionObject& object) {
 
 }  // namespace
 
-void SolvedContacts::gather(btCollisionWorld& world) {
+void SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep) {
+    dt_ = dt;
+    inStep_ = inStep;
     pairs_.clear();
     bodies_.clear();
+    posesBefore_.clear();
     localOf_.assign(size_t(world.getNumCollisionObjects()), kNone);
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
@@ -67,6 +95,9 @@ void SolvedContacts::gather(btCollisionWorld& world) {
         if (!awake(manifold.getBody0()) && !awake(manifold.getBody1())) continue;
         auto* a = const_cast<btCollisionObject*>(manifold.getBody0());
         auto* b = const_cast<btCollisionObject*>(manifold.getBody1());
+        const btManifoldPoint& any = manifold.getContactPoint(0);
+        const uint32_t localA = localIndex(*a, any.m_positionWorldOnA, any.m_localPointA);
+        const uint32_t localB = localIndex(*b, any.m_positionWorldOnB, any.m_localPointB);
         // The same way round in every manifold of a pair of compounds, so that they can be summed.
         const bool swapped = orderKey(*a) > orderKey(*b);
         if (swapped) std::swap(a, b);
@@ -75,21 +106,25 @@ void SolvedContacts::gather(btCollisionWorld& world) {
         if (swapped) {
             pair.normal = -pair.normal;
             pair.impulse = -pair.impulse;
-            pair.twist = -pair.twist;
+            std::swap(pair.twistA, pair.twistB);
+            pair.twistA = -pair.twistA;
+            pair.twistB = -pair.twistB;
         }
-        pair.a = localIndex(*a);
-        pair.b = localIndex(*b);
+        pair.a = swapped ? localB : localA;
+        pair.b = swapped ? localA : localB;
         pairs_.push_back(pair);
     }
     mergePairs();
     linkBodies();
 }
 
-uint32_t SolvedContacts::localIndex(btCollisionObject& body) {
+uint32_t SolvedContacts::localIndex(btCollisionObject& body, const btVector3& contactPoint,
+                                    const btVector3& inBody) {
     uint32_t& local = localOf_[size_t(body.getWorldArrayIndex())];
     if (local == kNone) {
         local = uint32_t(bodies_.size());
         bodies_.push_back(&body);
+        posesBefore_.push_back(poseBefore(body, contactPoint, inBody, dt_));
     }
     return local;
 }
@@ -107,7 +142,8 @@ void SolvedContacts::mergePairs() {
             last->point += pair.point;
             last->normalImpulse += pair.normalImpulse;
             last->impulse += pair.impulse;
-            last->twist += pair.twist;
+            last->twistA += pair.twistA;
+            last->twistB += pair.twistB;
         } else {
             pairs_[count++] = pair;
         }
@@ -117,7 +153,8 @@ void SolvedContacts::mergePairs() {
         pair.point /= pair.normalImpulse;
         pair.normalImpulse = pair.normal.length();
         if (pair.normalImpulse > 0) pair.normal /= pair.normalImpulse;
-        pair.twist -= pair.point.cross(pair.impulse);
+        pair.twistA -= pair.point.cross(pair.impulse);
+        pair.twistB -= pair.point.cross(pair.impulse);
         pair.point += bodies_[pair.a]->getWorldTransform().getOrigin();
     }
 }
@@ -135,29 +172,47 @@ void SolvedContacts::linkBodies() {
         const SolvedPair& pair = pairs_[p];
         for (const uint32_t body : {pair.a, pair.b}) {
             const btScalar sign = body == pair.a ? btScalar(1) : btScalar(-1);
-            const btVector3 arm = pair.point - bodies_[body]->getWorldTransform().getOrigin();
+            const btVector3 arm = pair.point - posesBefore_[body].getOrigin();
             received_[body].linear += pair.impulse * sign;
-            received_[body].angular += (pair.twist + arm.cross(pair.impulse)) * sign;
+            const btVector3& twist = body == pair.a ? pair.twistA : pair.twistB;
+            received_[body].angular += (twist + arm.cross(pair.impulse)) * sign;
             links_[--firstLink_[body + 1]] = uint32_t(p);
         }
     }
     // Filling moved every entry to the start of its own list: shift them back into place.
     firstLink_.erase(firstLink_.begin());
     firstLink_.push_back(uint32_t(links_.size()));
+
+    before_.clear();
+    for (uint32_t i = 0; i < bodies_.size(); ++i) {
+        before_.push_back(motionNow(*bodies_[i]));
+        const btRigidBody* body = movable(bodies_[i]);
+        if (!body) continue;
+        before_[i].linear -= received_[i].linear * body->getInvMass() * body->getLinearFactor();
+        const btMatrix3x3& axes = posesBefore_[i].getBasis();
+        const btMatrix3x3 yield = axes.scaled(body->getInvInertiaDiagLocal()) * axes.transpose();
+        before_[i].angular -= yield * received_[i].angular * body->getAngularFactor();
+    }
+}
+
+btVector3 SolvedContacts::moved(uint32_t index) const {
+    return bodies_[index]->getWorldTransform().getOrigin() - posesBefore_[index].getOrigin();
 }
 
 Motion SolvedContacts::motionBefore(uint32_t index) const {
-    Motion motion = motionNow(*bodies_[index]);
-    const btRigidBody* body = movable(bodies_[index]);
-    if (!body) return motion;
-    motion.linear -= received_[index].linear * body->getInvMass() * body->getLinearFactor();
-    motion.angular -=
-        body->getInvInertiaTensorWorld() * received_[index].angular * body->getAngularFactor();
-    return motion;
+    return before_[index];
 }
 
-void SolvedContacts::undoAround(size_t pair, float leastImpulse) {
-    if (pairs_[pair].undone) return;
+btVector3 SolvedContacts::pushOfForces(uint32_t index) const {
+    const btRigidBody* body = movable(bodies_[index]);
+    if (!body) return {0, 0, 0};
+    if (!inStep_) return body->getGravity() * dt_;
+    return body->getTotalForce() * body->getInvMass() * dt_;
+}
+
+float SolvedContacts::undoAround(size_t pair, float leastImpulse) {
+    if (pairs_[pair].undone) return 0;
+    touched_.clear();
     queue_.assign(1, pair);
     undo(pairs_[pair]);
     while (!queue_.empty()) {
@@ -174,17 +229,46 @@ void SolvedContacts::undoAround(size_t pair, float leastImpulse) {
             }
         }
     }
+    return surplusEnergy();
 }
 
 void SolvedContacts::undo(SolvedPair& pair) {
     pair.undone = true;
+    btRigidBody* a = movable(bodies_[pair.a]);
+    btRigidBody* b = movable(bodies_[pair.b]);
     for (const uint32_t index : {pair.a, pair.b}) {
-        btRigidBody* body = movable(bodies_[index]);
+        btRigidBody* body = index == pair.a ? a : b;
         if (!body) continue;
         const btScalar sign = index == pair.a ? btScalar(-1) : btScalar(1);
-        body->applyImpulse(pair.impulse * sign, pair.point - body->getCenterOfMassPosition());
-        body->applyTorqueImpulse(pair.twist * sign);
+        body->applyCentralImpulse(pair.impulse * sign);
+        const btVector3 arm = pair.point - posesBefore_[index].getOrigin();
+        const btVector3& twist = index == pair.a ? pair.twistA : pair.twistB;
+        body->applyTorqueImpulse((twist + arm.cross(pair.impulse)) * sign);
+        touched_.push_back(index);
     }
+    if (!a || !b) return;
+    // The centres have moved since, and where the bodies penetrate the solver's friction acts at
+    // two points: what that makes in angular momentum is taken back by a couple, mostly on the body
+    // that is hard to turn.
+    const btVector3 couple =
+        (moved(pair.a) - moved(pair.b)).cross(pair.impulse) + pair.twistA - pair.twistB;
+    const btScalar yieldA = couple.dot(a->getInvInertiaTensorWorld() * couple);
+    const btScalar yieldB = couple.dot(b->getInvInertiaTensorWorld() * couple);
+    if (!(yieldA + yieldB > 0)) return;
+    a->applyTorqueImpulse(couple * (yieldB / (yieldA + yieldB)));
+    b->applyTorqueImpulse(couple * (yieldA / (yieldA + yieldB)));
+}
+
+float SolvedContacts::surplusEnergy() {
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    double surplus = 0;
+    for (const uint32_t index : touched_) {
+        const btRigidBody& body = *movable(bodies_[index]);
+        surplus += kineticEnergy(body, motionNow(body), body.getWorldTransform().getBasis()) -
+                   kineticEnergy(body, before_[index], posesBefore_[index].getBasis());
+    }
+    return float(std::max(surplus, 0.0));
 }
 
 btVector3 velocityAt(const btCollisionObject& body, const Motion& motion, const btVector3& point) {

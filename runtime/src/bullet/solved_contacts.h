@@ -18,7 +18,8 @@ struct SolvedPair {
     btVector3 point{0, 0, 0};    ///< world; where the impulses' mean acts
     float normalImpulse = 0;     ///< N s
     btVector3 impulse{0, 0, 0};  ///< on a, with friction; b got the opposite, N s
-    btVector3 twist{0, 0, 0};    ///< moment of the impulses about `point`, on a, N m s
+    btVector3 twistA{0, 0, 0};   ///< moment of the impulses about `point`, on a, N m s
+    btVector3 twistB{0, 0, 0};   ///< b got the opposite of this one
     bool undone = false;
 };
 
@@ -32,34 +33,49 @@ struct Motion {
 /// before the contact without having recorded it, whatever the game did to velocities in between.
 class SolvedContacts {
   public:
-    /// Reads the world's contacts. Sleeping pairs are skipped: their impulses are old.
-    void gather(btCollisionWorld& world);
+    /// Reads the world's contacts after a substep of `dt` seconds. Sleeping pairs are skipped:
+    /// their impulses are old. `inStep`: Bullet has not yet cleared the forces of the step.
+    void gather(btCollisionWorld& world, float dt, bool inStep);
 
     [[nodiscard]] const std::vector<SolvedPair>& pairs() const { return pairs_; }
     /// Null once `forget` was called.
     [[nodiscard]] btCollisionObject* body(uint32_t index) const { return bodies_[index]; }
 
-    /// Velocity from before the solve (with this substep's gravity), m/s and rad/s.
+    /// Velocity from before the solve, m/s and rad/s, with what forces added in this substep.
     [[nodiscard]] Motion motionBefore(uint32_t index) const;
 
+    /// What gravity and other forces added to the velocity in this substep, m/s. A contact that
+    /// only takes this away again carries weight; it is no hit.
+    [[nodiscard]] btVector3 pushOfForces(uint32_t index) const;
+
     /// Gives the bodies of the pair, and those that passed at least `leastImpulse` on to each
-    /// other, their velocities from before the solve. Every pair is undone whole, at one point, on
-    /// both sides, so neither linear nor angular momentum is made. Weaker contacts (supported
-    /// weight) keep their impulse.
-    void undoAround(size_t pair, float leastImpulse);
+    /// other, their velocities from before the solve. Every pair is undone whole on both sides, so
+    /// neither linear nor angular momentum is made. Weaker contacts (supported weight) keep their
+    /// impulse. Returns the kinetic energy that the bodies have too much, J: they have moved since,
+    /// and keeping angular momentum right at their new places costs a little exactness in their
+    /// spins.
+    float undoAround(size_t pair, float leastImpulse);
 
     /// The body is about to be deleted.
     void forget(uint32_t index) { bodies_[index] = nullptr; }
 
   private:
-    uint32_t localIndex(btCollisionObject& body);
+    uint32_t localIndex(btCollisionObject& body, const btVector3& contactPoint,
+                        const btVector3& inBody);
     void mergePairs();
     void linkBodies();
     void undo(SolvedPair& pair);
+    [[nodiscard]] btVector3 moved(uint32_t index) const;
+    float surplusEnergy();
 
     std::vector<SolvedPair> pairs_;
     std::vector<btCollisionObject*> bodies_;
-    std::vector<Motion> received_;     ///< per body: impulse, and moment about its centre of mass
+    std::vector<Motion> received_;  ///< per body: impulse, and moment about its centre of mass
+    std::vector<Motion> before_;    ///< per body
+    std::vector<btTransform> posesBefore_;  ///< per body; the impulses acted there
+    std::vector<uint32_t> touched_;         ///< bodies whose velocity the last undo changed
+    float dt_ = 0;
+    bool inStep_ = false;
     std::vector<uint32_t> localOf_;    ///< by Bullet's world array index
     std::vector<uint32_t> firstLink_;  ///< per body, into links_
     std::vector<uint32_t> links_;      ///< pairs
