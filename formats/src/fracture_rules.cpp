@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fracture_rules.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -52,31 +53,37 @@ MaybeError checkLevels(FractureSet& set, const std::string& where) {
     return {};
 }
 
-MaybeError checkHierarchy(const FractureSet& set, const std::string& where) {
-    const std::string at = where + "/fragments/attributes";
-    uint64_t childrenNamed = 0;
+MaybeError checkParents(const FractureSet& set, const std::string& at) {
     for (size_t f = 0; f < set.fragments.size(); ++f) {
         const Fragment& fragment = set.fragments[f];
         const std::string who = "fragment " + std::to_string(f);
         if (f == 0 ? fragment.parent != -1 : fragment.parent < 0)
-            return wrong(who + ": fragment 0, and no other, has no parent", at + "/PARENT");
+            return wrong(who + ": fragment 0, and no other, has no parent", at);
         if (f > 0 && (static_cast<size_t>(fragment.parent) >= f ||
                       set.fragments[fragment.parent].level >= fragment.level))
             return wrong(who + ": a parent must come before its children, at a shallower level",
-                         at + "/PARENT");
-        if (!inside(fragment.children, set.fragments.size()))
-            return wrong(who + ": children out of range", at + "/CHILDREN");
-        for (uint32_t c = 0; c < fragment.children.count; ++c) {
-            const Fragment& child = set.fragments[fragment.children.first + c];
+                         at);
+    }
+    return {};
+}
+
+MaybeError checkChildren(const FractureSet& set, const std::string& at) {
+    uint64_t childrenNamed = 0;
+    for (size_t f = 0; f < set.fragments.size(); ++f) {
+        const Range children = set.fragments[f].children;
+        const std::string who = "fragment " + std::to_string(f);
+        if (!inside(children, set.fragments.size()))
+            return wrong(who + ": children out of range", at);
+        for (uint32_t c = 0; c < children.count; ++c) {
+            const Fragment& child = set.fragments[children.first + c];
             if (child.parent != static_cast<int32_t>(f) ||
-                child.level != set.fragments[fragment.children.first].level)
-                return wrong(who + ": children must name it as their parent and share a level",
-                             at + "/CHILDREN");
+                child.level != set.fragments[children.first].level)
+                return wrong(who + ": children must name it as their parent and share a level", at);
         }
-        childrenNamed += fragment.children.count;
+        childrenNamed += children.count;
     }
     if (childrenNamed + 1 != set.fragments.size())
-        return wrong("some fragment is missing among its parent's children", at + "/CHILDREN");
+        return wrong("some fragment is missing among its parent's children", at);
     return {};
 }
 
@@ -182,7 +189,9 @@ std::optional<Error> applyFractureRules(FractureSet& set, const std::string& whe
     if (!isUnit(squaredLength(set.restPose.rotation)))
         return wrong("this must be a unit quaternion", where + "/restPose/rotation");
     if (auto error = checkLevels(set, where)) return error;
-    if (auto error = checkHierarchy(set, where)) return error;
+    const std::string tables = where + "/fragments/attributes";
+    if (auto error = checkParents(set, tables + "/PARENT")) return error;
+    if (auto error = checkChildren(set, tables + "/CHILDREN")) return error;
     if (auto error = checkGeometry(set, where)) return error;
     if (auto error = checkRanges(set, where)) return error;
     if (auto error = checkQuantities(set, where)) return error;

@@ -148,15 +148,19 @@ class Reader {
 
     /// How many components the accessor has, 1 to 4.
     uint32_t componentsOf(const json& index, const std::string& where) {
-        const uint64_t i = whole(index, where);
-        const json* all = optional(document_, "accessors");
-        const json* entry =
-            all != nullptr && all->is_array() && i < all->size() ? &(*all)[i] : nullptr;
-        const json* type = entry != nullptr ? optional(*entry, "type") : nullptr;
+        const json& entry = element("accessors", whole(index, where), where);
+        const json* type = optional(entry, "type");
         for (uint32_t components = 1; type != nullptr && components <= 4; ++components)
             if (*type == typeName(components)) return components;
         fail(ErrorCode::invalidData, "this must name an accessor of 1 to 4 components", where);
         return 1;
+    }
+
+    /// How many elements the accessor `object[key]` says it has.
+    uint64_t countOf(const json& object, const char* key, const std::string& where) {
+        const uint64_t index = whole(object, key, where);
+        const json& entry = element("accessors", index, where + "/" + key);
+        return ok() ? whole(entry, "count", "/accessors/" + std::to_string(index)) : 0;
     }
 
   private:
@@ -314,12 +318,8 @@ void readHulls(Reader& in, const json& fracture, const std::string& parent, Frac
     const auto points = ranges(in.integers(from, "POINTS", where + "/attributes", count, 2));
     const auto margin = in.floats<1>(from, "MARGIN", where + "/attributes", count);
     if (!in.ok()) return;
-    // Each hull names its run of points, so their number is that of the last run's end.
-    uint64_t pointCount = 0;
-    for (size_t h = 0; h < count; ++h) {
-        set.hulls.push_back({points[h], margin[h]});
-        pointCount = std::max<uint64_t>(pointCount, uint64_t{points[h].first} + points[h].count);
-    }
+    for (size_t h = 0; h < count; ++h) set.hulls.push_back({points[h], margin[h]});
+    const uint64_t pointCount = in.countOf(*hulls, "points", where);
     set.hullPoints = vectors(in.floats<3>(*hulls, "points", where, pointCount));
 }
 
