@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// The medial surface of every real model there is: nothing outside, and how much it fills.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "geometry/inside_test.h"
+#include "geometry/triangle_bvh.h"
+#include "interior/medial.h"
+#include "sherd/baker/import.h"
+#include "support/models.h"
+#include "support/property.h"
+
+using namespace sherd;
+using namespace sherd::test;
+
+namespace {
+
+std::vector<std::filesystem::path> realModels() {
+    std::vector<std::filesystem::path> models;
+    if (!haveSharedModels()) return models;
+    for (const auto& entry : std::filesystem::directory_iterator(sharedDir() / "models" / "dev")) {
+        const auto extension = entry.path().extension();
+        if (extension == ".glb" || extension == ".obj") models.push_back(entry.path());
+    }
+    std::sort(models.begin(), models.end());
+    return models;
+}
+
+double diagonal(const std::vector<glm::vec3>& points) {
+    glm::vec3 low = points[0], high = points[0];
+    for (const glm::vec3& p : points) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return glm::distance(glm::dvec3(low), glm::dvec3(high));
+}
+
+/// Share of the object's volume in no piece and in two, were every triangle a piece of its own: the
+/// pieces' winding numbers add up to that of the object minus that of the medial surface.
+std::pair<double, double> hollowAndDouble(const SurfaceMesh& mesh, const MedialSurface& medial) {
+    const InsideTest outer(mesh.positions, mesh.triangles), inner(medial.points, mesh.triangles);
+    glm::dvec3 low(mesh.positions[0]), high = low;
+    for (const glm::vec3& p : mesh.positions) {
+        low = glm::min(low, glm::dvec3(p));
+        high = glm::max(high, glm::dvec3(p));
+    }
+    Random random(1);
+    int in = 0, none = 0, twice = 0;
+    for (int i = 0; i < 200000 && in < 4000; ++i) {
+        const double x = random.unit(), y = random.unit(), z = random.unit();
+        const glm::dvec3 p = low + (high - low) * glm::dvec3(x, y, z);
+        const int around = outer.winding(p);
+        if (around < 1) continue;
+        ++in;
+        const int hidden = inner.winding(p);
+        if (hidden >= around) ++none;
+        if (hidden < 0) ++twice;
+    }
+    return {100.0 * none / std::max(in, 1), 100.0 * twice / std::max(in, 1)};
+}
+
+}  // namespace
+
+TEST_CASE("the medial surface of every real model is inside it and leaves little hollow") {
+    for (const std::filesystem::path& path : realModels()) {
+        const Result<Model> model = importModel(path, {});
+        INFO(path.filename().string());
+        REQUIRE(model.has_value());
+        for (const SurfaceMesh& mesh : model->meshes) {
+            const auto start = std::chrono::steady_clock::now();
+            const Result<MedialSurface> medial = medialSurface(mesh, {});
+            const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+            REQUIRE(medial.has_value());
+            CHECK(medial->outsideAfter == 0);
+            const InsideTest inside(mesh.positions, mesh.triangles);
+            const TriangleBvh bvh(mesh.positions, mesh.triangles);
+            const double skin = 1e-6 * diagonal(mesh.positions);
+            uint32_t outside = 0;
+            for (const glm::vec3& p : medial->points) {
+                if (inside.inside(glm::dvec3(p))) continue;
+                if (bvh.closest(glm::dvec3(p), skin).triangle == ClosestPoint::kNone) ++outside;
+            }
+            CHECK(outside == 0);
+            const auto [none, twice] = hollowAndDouble(mesh, *medial);
+            MESSAGE(path.filename().string()
+                    << ": " << mesh.triangles.size() << " triangles, "
+                    << std::string(inside.closed() ? "closed" : "open") << ", hollow " << none
+                    << " %, double " << twice << " %, " << medial->outsideBefore << " mended ("
+                    << medial->fromNeighbours << " from neighbours, " << medial->fallbackRaw
+                    << " balls, " << medial->pulledBack << " pulled back, " << medial->onSurface
+                    << " on the surface), Qhull " << 1e3 * medial->qhullSeconds << " ms, rest "
+                    << 1e3 * (seconds.count() - medial->qhullSeconds) << " ms");
+            // The thin shell of the abalone is the worst: its sheets are nearer than its samples.
+            if (inside.closed()) CHECK(none < 5);
+            if (inside.closed()) CHECK(twice < 3);
+        }
+    }
+}
