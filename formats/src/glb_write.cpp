@@ -2,6 +2,7 @@
 #include "sherd/formats/glb_write.h"
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -167,12 +168,23 @@ Result<void> checkShape(const FractureSet& set) {
     return {};
 }
 
+/// The shortest decimal that reads back as the same float: 0.6, not 0.60000002384185791.
+double shortest(float value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    double result = value;
+    std::from_chars(text.data(), end.ptr, result);
+    return result;
+}
+
 Json materialJson(const NewMaterial& material) {
+    Json color = Json::array();
+    for (const float channel : material.baseColor) color.push_back(shortest(channel));
     Json out;
     if (!material.name.empty()) out["name"] = material.name;
-    out["pbrMetallicRoughness"] = {{"baseColorFactor", material.baseColor},
-                                   {"metallicFactor", material.metallic},
-                                   {"roughnessFactor", material.roughness}};
+    out["pbrMetallicRoughness"] = {{"baseColorFactor", color},
+                                   {"metallicFactor", shortest(material.metallic)},
+                                   {"roughnessFactor", shortest(material.roughness)}};
     return out;
 }
 
