@@ -60,8 +60,10 @@ void addLayoutCommand(CLI::App& app, int& exitCode) {
     auto arguments = std::make_shared<LayoutArguments>();
     command->add_option("model", arguments->model, "The model: .glb, .gltf or .obj")->required();
     command->add_option("-o,--output", arguments->output, "The SVG to write")->required();
-    command->add_option("--node", arguments->import.nodes,
-                        "Only this mesh node (name or index); may be repeated");
+    command
+        ->add_option("--node", arguments->import.nodes,
+                     "Only this mesh node (name or index); may be repeated")
+        ->allow_extra_args(false);
     command->add_option("--uv", arguments->import.uvSet, "The UV set to draw in")
         ->capture_default_str();
     command

@@ -3,7 +3,8 @@
 
 namespace sherd {
 
-const Attribute* findAttribute(const std::vector<Attribute>& attributes, const std::string& semantic) {
+const Attribute* findAttribute(const std::vector<Attribute>& attributes,
+                               const std::string& semantic) {
     for (const Attribute& attribute : attributes) {
         if (attribute.semantic == semantic) return &attribute;
     }

@@ -25,6 +25,7 @@ struct GridPoint {
     int32_t u = 0;
     int32_t v = 0;
     friend bool operator==(const GridPoint&, const GridPoint&) = default;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads a defaulted <=>
     friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
 };
 inline constexpr int32_t kGridOne = 1 << 24;         ///< 1.0 on the grid
@@ -69,7 +70,7 @@ struct LineParameter {
         return Int128{x.num} * y.den <=> Int128{y.num} * x.den;
     }
     friend bool operator==(const LineParameter& x, const LineParameter& y) {
-        return (x <=> y) == 0;
+        return std::is_eq(x <=> y);
     }
     /// Within 3 * 2^-53 of its size.
     double approximate() const { return static_cast<double>(num) / static_cast<double>(den); }

@@ -60,6 +60,7 @@ std::vector<int32_t> materialsByUse(const SurfaceMesh& mesh) {
     std::stable_sort(uses.begin(), uses.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<int32_t> order;
+    order.reserve(uses.size());
     for (const auto& [count, slot] : uses) order.push_back(mesh.materials[slot]);
     return order;
 }

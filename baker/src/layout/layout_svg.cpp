@@ -115,9 +115,10 @@ std::string levelLayers() {
     std::string out;
     for (size_t k = 0; k < kColours.size(); ++k) {
         const std::string number = std::to_string(k + 1);
-        out += "  <g id=\"level-" + number +
-               "\" inkscape:groupmode=\"layer\" inkscape:label=\"level " + number +
-               "\"\n     style=\"fill:none;stroke:" + kColours[k] + ";stroke-width:2\">\n  </g>\n";
+        out.append("  <g id=\"level-").append(number);
+        out.append("\" inkscape:groupmode=\"layer\" inkscape:label=\"level ").append(number);
+        out.append("\"\n     style=\"fill:none;stroke:").append(kColours[k]);
+        out.append(";stroke-width:2\">\n  </g>\n");
     }
     return out;
 }
@@ -130,10 +131,13 @@ Result<Layout> makeLayoutSvg(std::span<const SurfaceMesh> meshes, const LayoutOp
     Layout layout;
     size_t drawable = 0;
     for (const SurfaceMesh& mesh : meshes) {
-        if (!mesh.uvSemantic.empty() && findAttribute(mesh.attributes, mesh.uvSemantic) != nullptr)
+        if (!mesh.uvSemantic.empty() &&
+            findAttribute(mesh.attributes, mesh.uvSemantic) != nullptr) {
             ++drawable;
-        else
-            layout.warnings.push_back("mesh \"" + mesh.name + "\" has no texture coordinates");
+            continue;
+        }
+        std::string& warning = layout.warnings.emplace_back("mesh \"");
+        warning.append(mesh.name).append("\" has no texture coordinates");
     }
     if (drawable == 0)
         return fail(ErrorCode::noTextureCoordinates,

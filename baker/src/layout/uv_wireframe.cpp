@@ -14,6 +14,7 @@ namespace {
 struct Side {
     std::array<uint32_t, 2> ends;       ///< into the points, ascending
     std::array<uint64_t, 2> positions;  ///< mesh and welded position at those ends
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads a defaulted <=>
     friend auto operator<=>(const Side&, const Side&) = default;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sherd's own map format: formats/spec/fracture_map/README.md.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -54,10 +55,12 @@ class JsonMapReader {
 
     void warnUnknown(const Json& object, std::initializer_list<std::string_view> known,
                      const std::string& pointer) {
-        for (const auto& [key, value] : object.items())
-            if (std::find(known.begin(), known.end(), key) == known.end())
-                map_.warnings.push_back(name_ + "#" + pointer + ": unknown member \"" + key +
-                                        "\" passed over");
+        for (const auto& [key, value] : object.items()) {
+            if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+            std::string warning = name_ + "#" + pointer;
+            warning.append(": unknown member \"").append(key).append("\" passed over");
+            map_.warnings.push_back(std::move(warning));
+        }
     }
 
     /// The array member `key`, an empty one if absent; null after an error.

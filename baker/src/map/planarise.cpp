@@ -28,11 +28,13 @@ constexpr uint64_t kMaxPairs = uint64_t{1} << 33;
 struct GridTouch {
     uint32_t support;
     GridPoint point;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads a defaulted <=>
     friend auto operator<=>(const GridTouch&, const GridTouch&) = default;
 };
 
 struct Crossing {
     uint32_t first, second;  ///< supports, first < second
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads a defaulted <=>
     friend auto operator<=>(const Crossing&, const Crossing&) = default;
 };
 

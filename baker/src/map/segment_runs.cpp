@@ -15,6 +15,7 @@ namespace {
 /// A straight line in lowest terms: points with du * v - dv * u = offset. |offset| <= 2^56.
 struct LineKey {
     int64_t du = 0, dv = 0, offset = 0;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads a defaulted <=>
     friend auto operator<=>(const LineKey&, const LineKey&) = default;
 };
 
@@ -23,6 +24,7 @@ struct Segment {
     GridPoint a, b;  ///< a < b
     uint32_t level = 1;
     uint32_t line = 0;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads a defaulted <=>
     friend auto operator<=>(const Segment&, const Segment&) = default;
 };
 

@@ -43,7 +43,9 @@ double arcSteps(double radius, double sweep, double tolerance) {
 template <class Curve>
 bool addInner(double steps, size_t limit, const Curve& at, std::vector<glm::dvec2>& out) {
     if (!(steps + static_cast<double>(out.size()) < static_cast<double>(limit))) return false;
-    for (double k = 1; k < steps; ++k) out.push_back(at(k / steps));
+    const auto count = static_cast<size_t>(std::max(steps, 1.0));
+    for (size_t k = 1; k < count; ++k)
+        out.push_back(at(static_cast<double>(k) / static_cast<double>(count)));
     return true;
 }
 

@@ -84,16 +84,22 @@ class BondFinder {
         }
         if (free.empty() || !(tolerance > 0)) return;
         const TriangleBvh bvh(positions_, corners);
+        uint32_t hint = 0;
         for (const uint32_t t : free) {
             const auto faces = [&](uint32_t other) {
                 const uint32_t u = free[other];
                 return triangles_[u].leaf != triangles_[t].leaf &&
                        glm::dot(facets_[t].normal, facets_[u].normal) < kOpposed;
             };
-            const ClosestPoint found = bvh.closest(facets_[t].centroid, tolerance, faces);
+            // Neighbours in the list are mostly neighbours in space: the last partner bounds the
+            // search, and does not change what it finds.
+            const glm::dvec3& from = facets_[t].centroid;
+            const double reach = faces(hint) ? distanceTo(from, free[hint]) : tolerance;
+            const ClosestPoint found =
+                bvh.closest(from, std::min(tolerance, reach * (1 + 1e-9)), faces);
             if (found.triangle == ClosestPoint::kNone) continue;
-            add(t, triangles_[free[found.triangle]].leaf, 0.5,
-                0.5 * (facets_[t].centroid + found.point));
+            hint = found.triangle;
+            add(t, triangles_[free[found.triangle]].leaf, 0.5, 0.5 * (from + found.point));
         }
     }
 
@@ -142,6 +148,13 @@ class BondFinder {
             keys.push_back({v, isEven, t});
         }
         return keys;
+    }
+
+    double distanceTo(const glm::dvec3& p, uint32_t t) const {
+        const Triangle& v = triangles_[t].vertices;
+        return glm::distance(
+            p, closestOnTriangle(p, glm::dvec3(positions_[v[0]]), glm::dvec3(positions_[v[1]]),
+                                 glm::dvec3(positions_[v[2]])));
     }
 
     bool isPair(const Key& x, const Key& y) const {

@@ -20,6 +20,7 @@ constexpr double kFlatThickness = 1e-3;
 
 /// Point sets up to this size are searched directly.
 constexpr size_t kSieveFrom = 64;
+constexpr size_t kDropInnerFrom = 1024;
 
 struct Frame {
     glm::dvec3 center{0.0};
@@ -47,9 +48,37 @@ std::vector<glm::dvec3> finitePoints(std::span<const glm::vec3> points) {
     return out;
 }
 
+/// Drops what lies inside the hull of the points extreme in 26 directions, before any sorting
+/// (S. G. Akl and G. T. Toussaint, A Fast Convex Hull Algorithm, 1978).
+std::vector<glm::dvec3> dropInner(const std::vector<glm::dvec3>& points) {
+    std::vector<glm::dvec3> extremes;
+    for (int code = 0; code < 27; ++code) {
+        const glm::dvec3 d(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+        size_t best = 0;
+        for (size_t i = 1; i < points.size(); ++i) {
+            if (glm::dot(d, points[i]) > glm::dot(d, points[best])) best = i;
+        }
+        extremes.push_back(points[best]);
+    }
+    const Span span = spanOf(extremes);
+    if (span.dimension < 3) return points;
+    std::vector<glm::dvec3> core;
+    for (const uint32_t i : selectHullVertices(extremes, span, 16)) core.push_back(extremes[i]);
+    const std::vector<HalfSpace> walls = supportingHalfSpaces(core);
+    std::vector<glm::dvec3> out;
+    for (const glm::dvec3& p : points) {
+        const bool isOuter = std::any_of(walls.begin(), walls.end(), [&](const HalfSpace& h) {
+            return glm::dot(h.normal, p) > h.offset - 1e-9;
+        });
+        if (isOuter) out.push_back(p);
+    }
+    return out;
+}
+
 /// The points on the hull (to Bullet's rounding, 1e-4), as they were.
 std::vector<glm::dvec3> sieve(std::vector<glm::dvec3> points) {
     if (points.size() < kSieveFrom) return points;
+    if (points.size() >= kDropInnerFrom) points = dropInner(points);
     btConvexHullComputer hull;
     hull.compute(&points[0].x, sizeof(glm::dvec3), static_cast<int>(points.size()), 0, 0);
     std::vector<int> kept;

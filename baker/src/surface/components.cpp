@@ -69,6 +69,10 @@ Components floodFill(const SplitSurface& surface, const MeshTopology& topology, 
         const uint32_t b = result.leaf[topology.opposite[h] / 3];
         if (a != b) gates[a].push_back({b, level});
     }
+    std::vector<uint32_t> parts;
+    result.parts = fill(result.leafCount, parts, [&](uint32_t leaf, auto&& visit) {
+        for (const Gate& gate : gates[leaf]) visit(gate.neighbour);
+    });
     result.ofLeaf.resize(levels);
     for (uint32_t k = 1; k <= levels; ++k) {
         result.count.push_back(

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "bake_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "command_files.h"
+#include "exit_codes.h"
+#include "sherd/baker/bake.h"
+#include "sherd/formats/glb_write.h"
+
+namespace sherd::cli {
+namespace {
+
+struct BakeArguments {
+    std::filesystem::path model, output, recipe, report;
+    std::vector<std::filesystem::path> maps;
+    ImportOptions import;
+    std::string interior = "medial";
+    std::optional<double> density;
+    std::optional<double> curveTolerance;
+    std::optional<double> seamJoinShare;
+    std::optional<unsigned> threads;
+    bool thesis = false;
+    bool allowOpen = false;
+    bool quiet = false;
+};
+
+/// One line on stderr, rewritten in place on a terminal and kept silent for bakes under a second.
+class ProgressLine {
+  public:
+    explicit ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+    void show(const std::string& stage, double share) {
+        const std::scoped_lock lock(mutex_);
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        if (quiet_ || (!terminal_ && seconds < 1)) return;
+        std::fprintf(stderr, terminal_ ? "\r\033[K%3.0f %%  %s" : "%3.0f %%  %s\n", share * 100,
+                     stage.c_str());
+        shown_ = true;
+    }
+    void finish() {
+        if (shown_ && terminal_) std::fputs("\r\033[K", stderr);
+    }
+
+  private:
+    bool quiet_, terminal_, shown_ = false;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::mutex mutex_;
+};
+
+Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
+    Recipe recipe;
+    if (!arguments.recipe.empty()) {
+        Result<Recipe> read = readRecipe(arguments.recipe);
+        if (!read) return read;
+        recipe = std::move(*read);
+    }
+    if (recipe.levels.empty()) {
+        for (const auto& map : arguments.maps) recipe.levels.push_back({map, ""});
+    } else if (!arguments.maps.empty()) {
+        std::fprintf(stderr,
+                     "sherd-bake: the recipe names its own maps; those of --map are left out\n");
+    }
+    if (recipe.levels.empty()) {
+        return fail(ErrorCode::badArgument,
+                    "there is nothing to cut along: name at least one fracture map with --map, or "
+                    "a recipe with levels");
+    }
+    if (arguments.density) recipe.physics.density = *arguments.density;
+    if (arguments.curveTolerance) recipe.curveTolerance = *arguments.curveTolerance;
+    if (arguments.seamJoinShare) recipe.seamJoinShare = *arguments.seamJoinShare;
+    if (arguments.threads) recipe.threads = *arguments.threads;
+    recipe.interior.thesis = recipe.interior.thesis || arguments.thesis;
+    recipe.allowOpen = recipe.allowOpen || arguments.allowOpen;
+    return recipe;
+}
+
+Result<FractureMap> readMaps(const Recipe& recipe) {
+    std::vector<FractureMap> maps;
+    for (const RecipeLevel& level : recipe.levels) {
+        MapReadOptions options;
+        options.tolerance = recipe.curveTolerance;
+        Result<FractureMap> map = readFractureMap(level.map, options);
+        if (!map) return map;
+        maps.push_back(std::move(*map));
+    }
+    return combineMaps(std::move(maps));
+}
+
+void printTable(const BakeReport& report) {
+    std::printf("%-24s %5s %10s %11s %8s %9s\n", "object", "level", "fragments", "components",
+                "closed", "volume");
+    for (const BakedObjectReport& object : report.objects) {
+        for (size_t k = 0; k < object.levels.size(); ++k) {
+            const BakedLevelReport& level = object.levels[k];
+            std::printf("%-24.24s %5zu %10u %11u %7.4g%% %8.5g%%\n",
+                        k == 0 ? object.name.c_str() : "", k, level.fragments, level.components,
+                        100.0 * level.closed / std::max(level.fragments, 1U),
+                        100 * level.volumeShare);
+        }
+        std::printf("  %u triangles, %u after cutting, %u bonds;", object.triangles,
+                    object.splitTriangles, object.bonds);
+        for (const StageTime& stage : object.stages)
+            std::printf(" %s %.0f ms,", stage.name.c_str(), stage.seconds * 1e3);
+        std::printf(" in all %.2f s\n", report.seconds);
+        for (const BakeFinding& finding : object.findings) {
+            std::printf(
+                "  note %s: %s%s%s%s\n", finding.code.c_str(), finding.message.c_str(),
+                finding.count > 1 ? (" (" + std::to_string(finding.count) + ")").c_str() : "",
+                finding.where.empty() ? "" : ": ", finding.where.c_str());
+        }
+    }
+}
+
+int runBake(const BakeArguments& arguments) {
+    const Result<Recipe> recipe = gatherRecipe(arguments);
+    if (!recipe) return printError(recipe.error());
+    ProgressLine line(arguments.quiet);
+    const auto progress = [&line](const std::string& stage, double share) {
+        line.show(stage, share);
+    };
+    progress("reading", 0);
+    const Result<Model> model = importModel(arguments.model, arguments.import);
+    if (!model) return printError(model.error());
+    const Result<FractureMap> map = readMaps(*recipe);
+    if (!map) return printError(map.error());
+    Result<BakedFile> baked = bakeModel(*model, *map, *recipe, progress);
+    line.finish();
+    if (!baked) return printError(baked.error());
+    baked->report.source = arguments.model.string();
+    if (const auto written = writeFileWhole(arguments.output, baked->glb); !written)
+        return printError(written.error());
+    if (!arguments.report.empty()) {
+        const std::string json = toJson(baked->report);
+        const auto* bytes = reinterpret_cast<const uint8_t*>(json.data());
+        if (const auto written = writeFileWhole(arguments.report, {bytes, json.size()}); !written) {
+            return printError(written.error());
+        }
+    }
+    if (!arguments.quiet) printTable(baked->report);
+    return kExitOk;
+}
+
+}  // namespace
+
+void addBakeCommand(CLI::App& app, int& exitCode) {
+    const auto arguments = std::make_shared<BakeArguments>();
+    const Recipe defaults;
+    CLI::App* command = app.add_subcommand(
+        "bake", "Cut a model along drawn lines, level by level, into closed fragments");
+    command->add_option("MODEL", arguments->model, "The model: .glb, .gltf or .obj")->required();
+    command->add_option("-o,--output", arguments->output, "The baked .glb to write")->required();
+    command
+        ->add_option("--map", arguments->maps,
+                     "A fracture map (.svg or .json); repeat it for each deeper level, coarse to "
+                     "fine. With one map its layers \"level 1..n\" choose the level")
+        ->allow_extra_args(false);
+    command->add_option(
+        "--recipe", arguments->recipe,
+        "Levels and settings as JSON; its levels win over --map, other options win over it");
+    command->add_option("--report", arguments->report, "Write what was done and found as JSON");
+    command
+        ->add_option("--node", arguments->import.nodes,
+                     "Only this mesh node (name or index); may be repeated")
+        ->allow_extra_args(false);
+    command->add_option("--uv", arguments->import.uvSet, "The UV set the lines are drawn in")
+        ->capture_default_str();
+    command->add_option("--interior", arguments->interior, "How pieces are closed inside")
+        ->check(CLI::IsMember({"medial"}))
+        ->capture_default_str();
+    command->add_flag("--thesis", arguments->thesis,
+                      "Smooth the medial surface as Casella's thesis does: 10 steps before and 10 "
+                      "after (loses more volume)");
+    command
+        ->add_option(
+            "--density", arguments->density,
+            "kg/m3 (default " + std::to_string(static_cast<int>(defaults.physics.density)) + ")")
+        ->check(CLI::Range(1e-6, 1e9));
+    command
+        ->add_option("--tolerance", arguments->curveTolerance,
+                     "Largest distance between a curve and the line that replaces it, in UV units "
+                     "(default 0.0001)")
+        ->check(CLI::Range(1e-7, 0.1));
+    command
+        ->add_option("--seam-join", arguments->seamJoinShare,
+                     "Join line ends across a chart border that are nearer than this share of the "
+                     "object's diagonal (default 0.005)")
+        ->check(CLI::Range(0.0, 0.1));
+    command->add_flag(
+        "--allow-open", arguments->allowOpen,
+        "Bake open and non-manifold meshes too; their pieces get a rim along the border");
+    command
+        ->add_option("--threads", arguments->threads,
+                     "At most so many threads; the result is the same (default 2)")
+        ->check(CLI::Range(1U, 256U));
+    command->add_flag("-q,--quiet", arguments->quiet, "Say nothing unless something fails");
+    command->footer(
+        "Examples:\n"
+        "  sherd-bake bake vase.glb -o vase_baked.glb --map cracks.svg\n"
+        "  sherd-bake bake vase.glb -o vase_baked.glb --map coarse.svg --map fine.svg\n"
+        "  sherd-bake bake town.glb --node Wall -o town_baked.glb --recipe wall.json --report "
+        "report.json");
+    command->callback([arguments, &exitCode] { exitCode = runBake(*arguments); });
+}
+
+}  // namespace sherd::cli

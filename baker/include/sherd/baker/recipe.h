@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sherd/formats/result.h"
+
+namespace sherd {
+
+/// How pieces look inside.
+struct InteriorSettings {
+    bool thesis = false;    ///< the thesis' own smoothing: 10 Laplacian steps before and after
+    int preSmoothing = 10;  ///< 0..1000 steps before the medial surface is sought
+    int postSmoothing = 0;  ///< 0..1000 steps on the medial surface; each loses volume
+    std::string material;   ///< name of a material of the model; empty: a neutral one is added
+    double uvMetresPerTile =
+        0;  ///< size of one texture tile on hidden faces; 0: a quarter of the diagonal
+};
+
+struct PhysicsSettings {
+    double density = 1000;       ///< kg/m^3
+    double friction = 0.5;       ///< static and dynamic
+    double restitution = 0.05;   ///< 0..1
+    double strength = 1e6;       ///< Pa
+    double toughness = 50;       ///< J/m^2
+    uint32_t hullVertices = 16;  ///< 4..255 per collider
+    double hullMargin = 0.01;    ///< metres at most; never above a tenth of the thinnest extent
+};
+
+struct RecipeLevel {
+    std::filesystem::path map;  ///< SVG or JSON, relative to the recipe
+    std::string name;           ///< may be empty
+};
+
+/// Everything a bake can be told. Defaults are the command line's.
+struct Recipe {
+    std::vector<RecipeLevel> levels;  ///< coarse to fine; empty: the maps given on the command line
+    InteriorSettings interior;
+    PhysicsSettings physics;
+    double curveTolerance = 1e-4;  ///< curve to flattened line, UV units
+    double seamJoinShare =
+        0.005;  ///< ends nearer than this share of the diagonal are joined across a seam
+    double minimumComponentShare = 1e-5;  ///< of the surface: smaller components join a neighbour
+    bool allowOpen = false;  ///< bake meshes with open or non-manifold edges; borders get a rim
+    unsigned threads = 2;    ///< at most; results do not depend on it
+};
+
+/// Reads a recipe (JSON, comments allowed). Unknown keys and wrong types are errors with their JSON
+/// pointer. Paths of maps are made relative to the recipe's folder.
+Result<Recipe> readRecipe(const std::filesystem::path& path);
+Result<Recipe> parseRecipe(std::string_view text, const std::string& name);
+
+}  // namespace sherd

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sherd {
+
+/// Something that was degraded, ignored or merged, and the bake went on.
+struct BakeFinding {
+    std::string code;     ///< stable, for programs: "loose-end", "merged-piece", "open-mesh", ...
+    std::string message;  ///< a sentence: what and what to do
+    std::string where;    ///< UV, 3D position, element; may be empty
+    uint32_t count = 1;   ///< how many of this kind; `where` names the first few
+};
+
+struct BakedLevelReport {
+    uint32_t fragments = 0;   ///< standing at this level, undivided shallower ones included
+    uint32_t components = 0;  ///< surface components the lines of this level make, before merging
+    uint32_t closed = 0;      ///< of fragments: proven closed
+    double volumeShare = 0;   ///< sum of the fragments' volumes over the object's
+};
+
+struct StageTime {
+    std::string name;
+    double seconds = 0;
+};
+
+/// What one object's bake did. `toJson` gives the same for machines.
+struct BakedObjectReport {
+    std::string name;
+    uint32_t triangles = 0;
+    uint32_t splitTriangles = 0;  ///< after cutting
+    uint32_t parts = 0;           ///< connected parts of the surface
+    double diagonal = 0;          ///< of the bounding box, metres
+    double volume = 0;            ///< of the object, cubic metres; meaningless when open
+    uint32_t boundaryEdges = 0;
+    uint32_t bonds = 0;
+    std::vector<BakedLevelReport> levels;  ///< [0]: the intact object
+    std::vector<BakeFinding> findings;
+    std::vector<StageTime> stages;  ///< wall time; the medial surface runs beside the surface steps
+};
+
+struct BakeReport {
+    std::string source;
+    std::vector<BakedObjectReport> objects;
+    double seconds = 0;
+};
+
+std::string toJson(const BakeReport& report);
+
+}  // namespace sherd

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "assembly/hidden_vertices.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace sherd {
+namespace {
+
+/// Twice the area times the normal.
+glm::dvec3 areaNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    return glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+}
+
+int mainAxis(const glm::dvec3& n) {
+    const glm::dvec3 a = glm::abs(n);
+    if (a.x >= a.y && a.x >= a.z) return 0;
+    return a.y >= a.z ? 1 : 2;
+}
+
+glm::vec3 unit(const glm::dvec3& n, int axis) {
+    const double length = glm::length(n);
+    glm::dvec3 fallback(0.0);
+    fallback[axis] = 1;
+    return length > 0 ? n / length : fallback;
+}
+
+}  // namespace
+
+HiddenVertices::HiddenVertices(const AssemblyInput& input, FractureGeometry& out)
+    : in_(input), out_(out) {
+    for (const HiddenFace& face : in_.faces) {
+        if (face.wall) continue;
+        const glm::dvec3 n = areaNormal(position(face.corners[0]), position(face.corners[1]),
+                                        position(face.corners[2]));
+        for (const CornerRef ref : face.corners) sheetNormals_[{face.leaf, splitVertex(ref)}] += n;
+    }
+}
+
+uint32_t HiddenVertices::splitVertex(CornerRef ref) const {
+    return in_.surface.triangles[ref.corner / 3].v[ref.corner % 3];
+}
+
+glm::vec3 HiddenVertices::position(CornerRef ref) const {
+    const uint32_t v = splitVertex(ref);
+    return ref.hidden != 0 ? in_.hiddenPoints[v] : in_.surface.positions[v];
+}
+
+std::array<uint32_t, 3> HiddenVertices::vertices(const HiddenFace& face) {
+    const std::array<glm::vec3, 3> p{position(face.corners[0]), position(face.corners[1]),
+                                     position(face.corners[2])};
+    const glm::dvec3 flat = areaNormal(p[0], p[1], p[2]);
+    const int axis = mainAxis(flat);
+    std::array<uint32_t, 3> result{};
+    for (size_t k = 0; k < 3; ++k) {
+        if (face.wall) {
+            result[k] = newVertex(p[k], unit(flat, axis), axis);
+            continue;
+        }
+        const uint32_t v = splitVertex(face.corners[k]);
+        const auto [it, isNew] = sheetVertices_.try_emplace({face.leaf, v, axis}, 0);
+        if (isNew) it->second = newVertex(p[k], unit(sheetNormals_.at({face.leaf, v}), axis), axis);
+        result[k] = it->second;
+    }
+    return result;
+}
+
+uint32_t HiddenVertices::newVertex(const glm::vec3& position, const glm::vec3& normal, int axis) {
+    const int uAxis = axis == 0 ? 2 : 0;
+    const int vAxis = axis == 1 ? 2 : 1;
+    glm::dvec3 tangent(0.0);
+    tangent[uAxis] = 1;
+    tangent -= glm::dvec3(normal) * glm::dot(glm::dvec3(normal), tangent);
+    const glm::vec3 t = unit(tangent, uAxis);
+    for (Attribute& attribute : out_.attributes) {
+        std::vector<float>& values = attribute.values;
+        if (attribute.semantic == "NORMAL") {
+            values.insert(values.end(), {normal.x, normal.y, normal.z});
+        } else if (attribute.semantic == "TANGENT") {
+            values.insert(values.end(), {t.x, t.y, t.z, 1.0F});
+        } else if (attribute.semantic.starts_with("TEXCOORD_")) {
+            values.push_back(static_cast<float>(position[uAxis] / in_.uvMetresPerTile));
+            values.push_back(static_cast<float>(-position[vAxis] / in_.uvMetresPerTile));
+        } else {
+            const float value = attribute.semantic.starts_with("COLOR_") ? 1.0F : 0.0F;
+            values.insert(values.end(), attribute.components, value);
+        }
+    }
+    out_.positions.push_back(position);
+    return static_cast<uint32_t>(out_.positions.size() - 1);
+}
+
+}  // namespace sherd

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "assembly/physics.h"
+
+#include <algorithm>
+#include <span>
+#include <thread>
+
+#include "physics/bonds.h"
+#include "physics/convex_hull.h"
+#include "physics/mass_properties.h"
+
+namespace sherd {
+namespace {
+
+/// Calls work(i) for i below n on at most `threads` threads; each i is independent of the others.
+template <class Work>
+void parallelFor(size_t n, unsigned threads, Work&& work) {
+    std::vector<std::thread> pool;
+    const size_t workers = std::clamp<size_t>(threads, 1, std::max<size_t>(n, 1));
+    const auto run = [&](size_t worker) {
+        for (size_t i = worker; i < n; i += workers) work(i);
+    };
+    for (size_t w = 1; w < workers; ++w) pool.emplace_back(run, w);
+    run(0);
+    for (std::thread& t : pool) t.join();
+}
+
+std::vector<glm::vec3> usedPositions(const FractureSet& set, uint32_t fragment) {
+    std::vector<uint32_t> used;
+    for (const auto& t : fragmentTriangles(set, fragment))
+        used.insert(used.end(), t.begin(), t.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::vector<glm::vec3> points;
+    points.reserve(used.size());
+    for (const uint32_t v : used) points.push_back(set.geometry.positions[v]);
+    return points;
+}
+
+void fillMasses(const Hierarchy& hierarchy, const PhysicsSettings& settings, unsigned threads,
+                FractureSet& set) {
+    const size_t leafCount = hierarchy.leafOrder.size();
+    std::vector<MassProperties> leaves(leafCount);
+    parallelFor(leafCount, threads, [&](size_t rank) {
+        leaves[rank] = massProperties(set.geometry.positions,
+                                      fragmentTriangles(set, hierarchy.fragmentOfRank[rank]));
+    });
+    for (size_t f = 0; f < set.fragments.size(); ++f) {
+        const MassProperties whole = combine(
+            std::span(leaves).subspan(hierarchy.leaves[f].first, hierarchy.leaves[f].count));
+        const PrincipalAxes axes = principalAxes(whole.inertia * settings.density);
+        Fragment& fragment = set.fragments[f];
+        fragment.volume = static_cast<float>(whole.volume);
+        fragment.mass = static_cast<float>(whole.volume * settings.density);
+        fragment.centerOfMass = whole.center;
+        fragment.inertiaDiagonal = axes.diagonal;
+        fragment.inertiaOrientation = axes.orientation;
+    }
+}
+
+void fillHulls(const PhysicsSettings& settings, unsigned threads, FractureSet& set) {
+    std::vector<ColliderHull> hulls(set.fragments.size());
+    const HullOptions options{settings.hullVertices, static_cast<float>(settings.hullMargin)};
+    parallelFor(hulls.size(), threads, [&](size_t f) {
+        hulls[f] = colliderHull(usedPositions(set, static_cast<uint32_t>(f)), options);
+    });
+    for (size_t f = 0; f < hulls.size(); ++f) {
+        set.fragments[f].hulls = {static_cast<uint32_t>(set.hulls.size()), 1};
+        set.hulls.push_back({{static_cast<uint32_t>(set.hullPoints.size()),
+                              static_cast<uint32_t>(hulls[f].points.size())},
+                             hulls[f].margin});
+        set.hullPoints.insert(set.hullPoints.end(), hulls[f].points.begin(), hulls[f].points.end());
+    }
+}
+
+void fillBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings, double sheetTolerance,
+               FractureSet& set) {
+    std::vector<HiddenTriangle> hidden;
+    std::vector<uint32_t> leafFragments = hierarchy.fragmentOfRank;
+    std::sort(leafFragments.begin(), leafFragments.end());
+    leafFragments.erase(std::unique(leafFragments.begin(), leafFragments.end()),
+                        leafFragments.end());
+    const size_t primitiveCount = set.geometry.primitives.size();
+    for (const uint32_t f : leafFragments) {
+        for (size_t p = 0; p < primitiveCount; ++p) {
+            if (set.geometry.primitives[p].exposedFrom == 0) continue;
+            const Range range = set.fragmentRanges[f * primitiveCount + p];
+            for (uint32_t i = range.first; i < range.first + range.count; i += 3) {
+                const uint32_t* corner = set.geometry.indices.data() + i;
+                hidden.push_back({{corner[0], corner[1], corner[2]}, f});
+            }
+        }
+    }
+    for (const LeafBond& leafBond : findBonds(set.geometry.positions, hidden, {sheetTolerance})) {
+        Bond bond;
+        bond.a = static_cast<int32_t>(leafBond.a);
+        bond.b = static_cast<int32_t>(leafBond.b);
+        bond.area = static_cast<float>(leafBond.area);
+        bond.centroid = leafBond.centroid;
+        bond.normal = leafBond.normal;
+        bond.strength = static_cast<float>(settings.strength);
+        bond.toughness = static_cast<float>(settings.toughness);
+        if (bond.area > 0) set.bonds.push_back(bond);
+    }
+}
+
+}  // namespace
+
+void assemblePhysics(const Hierarchy& hierarchy, const PhysicsSettings& settings,
+                     double sheetTolerance, unsigned threads, FractureSet& set) {
+    set.fragments.resize(hierarchy.leaves.size());
+    for (size_t f = 0; f < set.fragments.size(); ++f) {
+        Fragment& fragment = set.fragments[f];
+        fragment.parent = hierarchy.parent[f];
+        fragment.children = hierarchy.children[f];
+        fragment.level = hierarchy.level[f];
+        fragment.density = static_cast<float>(settings.density);
+        fragment.friction = static_cast<float>(settings.friction);
+        fragment.restitution = static_cast<float>(settings.restitution);
+        fragment.strength = static_cast<float>(settings.strength);
+        fragment.toughness = static_cast<float>(settings.toughness);
+    }
+    for (const Range level : hierarchy.levels) set.levels.push_back({level, ""});
+    fillMasses(hierarchy, settings, threads, set);
+    fillHulls(settings, threads, set);
+    fillBonds(hierarchy, settings, sheetTolerance, set);
+}
+
+}  // namespace sherd

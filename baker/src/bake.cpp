@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// The pipeline: mesh + map -> split surface -> components -> closed fragments -> fracture set.
+#include "sherd/baker/bake.h"
+
+#include <chrono>
+#include <future>
+#include <glm/geometric.hpp>
+
+#include "assembly/geometry.h"
+#include "assembly/physics.h"
+#include "bake_findings.h"
+#include "geometry/closed_mesh.h"
+#include "interior/hidden_points.h"
+#include "interior/medial.h"
+#include "interior/piece_mending.h"
+#include "surface/component_merging.h"
+#include "surface/seam_joining.h"
+#include "surface/triangulation.h"
+
+namespace sherd {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The bounding box diagonal of the vertices that triangles use.
+double diagonalOf(const SurfaceMesh& mesh) {
+    glm::dvec3 low(1e300);
+    glm::dvec3 high(-1e300);
+    for (const auto& t : mesh.triangles) {
+        for (const uint32_t v : t) {
+            low = glm::min(low, glm::dvec3(mesh.positions[v]));
+            high = glm::max(high, glm::dvec3(mesh.positions[v]));
+        }
+    }
+    return mesh.triangles.empty() ? 0 : glm::distance(low, high);
+}
+
+/// One object's bake: what the stages hand to each other.
+class Bake {
+  public:
+    Bake(const SurfaceMesh& mesh, const FractureMap& map, const Recipe& recipe,
+         int32_t interiorMaterial, const Progress& progress)
+        : mesh_(mesh),
+          map_(map),
+          recipe_(recipe),
+          interiorMaterial_(interiorMaterial),
+          progress_(progress) {}
+
+    Result<BakedObject> run() {
+        if (auto ok = inspect(); !ok) return tl::unexpected(ok.error());
+        // The medial surface depends on the mesh only, so it is computed beside the cutting.
+        std::future<Result<MedialSurface>> medial =
+            std::async(std::launch::async, [this] { return findMedial(); });
+        const Result<void> cutDone = cut();
+        const Result<MedialSurface> medialDone = medial.get();
+        if (!cutDone) return tl::unexpected(cutDone.error());
+        if (!medialDone) return tl::unexpected(medialDone.error());
+        stitchPieces(*medialDone);
+        if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());
+        assemble();
+        return judgeFragments();
+    }
+
+  private:
+    struct StageTimer {
+        Bake& bake;
+        std::string name;
+        Clock::time_point start = Clock::now();
+        ~StageTimer() {
+            bake.report().stages.push_back(
+                {name, std::chrono::duration<double>(Clock::now() - start).count()});
+        }
+    };
+    StageTimer stage(const std::string& name, double share) {
+        if (progress_) progress_(name, share);
+        return {*this, name};
+    }
+    BakedObjectReport& report() { return result_.report; }
+
+    Result<void> inspect() {
+        const StageTimer timer = stage("topology", 0);
+        report().name = mesh_.name;
+        report().triangles = static_cast<uint32_t>(mesh_.triangles.size());
+        report().diagonal = diagonal_ = diagonalOf(mesh_);
+        for (const std::string& warning : mesh_.warnings)
+            report().findings.push_back({"import", warning, "", 1});
+        for (const std::string& warning : map_.warnings)
+            report().findings.push_back({"map", warning, "", 1});
+        meshTopology_ = buildTopology(mesh_.positions, mesh_.triangles);
+        return judgeTopology(mesh_, meshTopology_, recipe_.allowOpen, report());
+    }
+
+    Result<MedialSurface> findMedial() {
+        const auto start = Clock::now();
+        MedialOptions options;
+        options.thesis = recipe_.interior.thesis;
+        options.preSmoothing = recipe_.interior.preSmoothing;
+        options.postSmoothing = recipe_.interior.postSmoothing;
+        options.threads = recipe_.threads;
+        Result<MedialSurface> medial = medialSurface(mesh_, options);
+        medialSeconds_ = std::chrono::duration<double>(Clock::now() - start).count();
+        return medial;
+    }
+
+    /// Thesis steps 1 to 5: the surface is cut into components.
+    Result<void> cut() {
+        const StageTimer timer = stage("cutting", 0.1);
+        if (map_.lines.empty())
+            return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
+        const Result<std::vector<UvTriangle>> uv = snapUv(mesh_);
+        if (!uv) return tl::unexpected(uv.error());
+        const Result<PlanarMap> map = planarise(map_);
+        if (!map) return tl::unexpected(map.error());
+        const std::vector<Cut> cuts = matchAll(*map, *uv, meshTopology_.degenerate);
+        ResolvedEdges edges = resolveEdges(meshTopology_, mesh_.triangles,
+                                           static_cast<uint32_t>(mesh_.positions.size()), cuts);
+        const SeamReport seams =
+            joinAcrossSeams(meshTopology_, mesh_.positions, mesh_.triangles, *uv, cuts,
+                            {recipe_.seamJoinShare * diagonal_}, edges);
+        Result<SplitSurface> split =
+            splitSurface({mesh_.positions, mesh_.triangles, meshTopology_, *uv, *map, cuts, edges});
+        if (!split) return tl::unexpected(split.error());
+        surface_ = std::move(*split);
+        const std::vector<std::array<uint32_t, 3>> triangles = vertexTriangles(surface_);
+        topology_ = buildTopology(surface_.positions, triangles);
+
+        uint32_t levels = 1;
+        for (const FractureMap::Line& line : map_.lines) levels = std::max(levels, line.level);
+        components_ = floodFill(surface_, topology_, levels);
+        report().splitTriangles = static_cast<uint32_t>(surface_.triangles.size());
+        reportCutting(*map, seams, report());
+        return judgeSeparation(components_, report());
+    }
+
+    /// Thesis steps 6 and 7: hidden points, and every component closed by its sheet and walls.
+    void stitchPieces(const MedialSurface& medial) {
+        const StageTimer timer = stage("stitching", 0.6);
+        report().stages.push_back({"medial surface (beside)", medialSeconds_});
+        report().stages.push_back({"of it, Delaunay", medial.qhullSeconds});
+        for (const std::string& warning : medial.warnings)
+            report().findings.push_back({"medial", warning, "", 1});
+        const std::vector<MergedLeaf> small =
+            mergeSmallLeaves(surface_, topology_, recipe_.minimumComponentShare, components_);
+        const InsideTest inside(mesh_.positions, mesh_.triangles);
+        hidden_ = hiddenPoints(surface_, medial.points, inside, recipe_.threads);
+        pieces_ = mendPieces(surface_, topology_, inside, hidden_.points, components_);
+        reportPieces(small, pieces_, report());
+    }
+
+    /// Every fragment of every level, over vertex ids; over positions it is proven after assembly.
+    Result<void> proveClosed() {
+        const StageTimer timer = stage("proving closed", 0.7);
+        for (uint32_t level = 1; level <= components_.levels; ++level) {
+            const ClosedReport proof =
+                proveByIds(levelTopology(surface_, topology_, components_, pieces_.faces, level));
+            // Where the mesh touches itself along an edge a piece may do the same.
+            const bool excused =
+                topology_.pinchedEdges + topology_.nonManifoldEdges > 0 && proof.closed();
+            if (proof.manifold() || excused) continue;
+            return fail(ErrorCode::notClosed,
+                        "a fragment of level " + std::to_string(level) + " is not closed (" +
+                            std::to_string(proof.openEdges) +
+                            " open edges); nothing was written. This is a mistake in Sherd, please "
+                            "report it",
+                        "mesh \"" + mesh_.name + "\"");
+        }
+        return {};
+    }
+
+    void assemble() {
+        const StageTimer timer = stage("assembling", 0.8);
+        FractureSet& set = result_.set;
+        set.name = mesh_.name;
+        set.node = mesh_.node;
+        set.mesh = mesh_.mesh;
+        set.restPose = mesh_.restPose;
+        set.materials = mesh_.materials;
+        set.materials.push_back(interiorMaterial_);
+        const Hierarchy hierarchy = buildHierarchy(components_);
+        const double tile =
+            recipe_.interior.uvMetresPerTile > 0 ? recipe_.interior.uvMetresPerTile : diagonal_ / 4;
+        assembleGeometry({mesh_, surface_, components_, hierarchy, pieces_.faces, hidden_.points,
+                          static_cast<uint32_t>(mesh_.materials.size()), tile > 0 ? tile : 1.0},
+                         set);
+        assemblePhysics(hierarchy, recipe_.physics, 1e-3 * diagonal_, recipe_.threads, set);
+    }
+
+    /// The last proof, over the positions that are written: no fragment that fails it leaves here.
+    Result<BakedObject> judgeFragments() {
+        const StageTimer timer = stage("proving closed", 0.95);
+        reportFragments(result_.set, report());
+        for (uint32_t level = 1; level <= components_.levels; ++level) {
+            const BakedLevelReport& entry = report().levels[level];
+            if (entry.closed == entry.fragments) continue;
+            return fail(ErrorCode::notClosed,
+                        std::to_string(entry.fragments - entry.closed) + " fragments of level " +
+                            std::to_string(level) +
+                            " are not closed; nothing was written. This is a "
+                            "mistake in Sherd, please report it",
+                        "mesh \"" + mesh_.name + "\"");
+        }
+        return std::move(result_);
+    }
+
+    const SurfaceMesh& mesh_;
+    const FractureMap& map_;
+    const Recipe& recipe_;
+    int32_t interiorMaterial_;
+    const Progress& progress_;
+    double diagonal_ = 0;
+    double medialSeconds_ = 0;
+    MeshTopology meshTopology_;
+    SplitSurface surface_;
+    MeshTopology topology_;  ///< of the split surface
+    Components components_;
+    HiddenPoints hidden_;
+    MendedPieces pieces_;
+    BakedObject result_;
+};
+
+}  // namespace
+
+Result<BakedObject> bakeObject(const SurfaceMesh& mesh, const FractureMap& map,
+                               const Recipe& recipe, int32_t interiorMaterial,
+                               const Progress& progress) {
+    return Bake(mesh, map, recipe, interiorMaterial, progress).run();
+}
+
+}  // namespace sherd

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "bake_findings.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "geometry/closed_mesh.h"
+
+namespace sherd {
+namespace {
+
+std::string text(const char* format, auto... values) {
+    std::array<char, 160> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), format, values...);
+    return buffer.data();
+}
+
+std::string at(const glm::dvec3& p) {
+    return text("(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+}
+
+/// The places of the first few of many.
+template <class Item, class Place>
+std::string places(const std::vector<Item>& items, Place&& place) {
+    constexpr size_t kShown = 3;
+    std::string result;
+    for (size_t i = 0; i < std::min(items.size(), kShown); ++i)
+        result += (i == 0 ? "" : "; ") + place(items[i]);
+    return items.size() > kShown ? result + "; ..." : result;
+}
+
+std::string halfEdgePlace(const SurfaceMesh& mesh, uint32_t halfEdge) {
+    const auto& t = mesh.triangles[halfEdge / 3];
+    return "mesh \"" + mesh.name + "\", triangle " + std::to_string(halfEdge / 3) + ", edge from " +
+           at(mesh.positions[t[halfEdge % 3]]) + " to " + at(mesh.positions[t[(halfEdge + 1) % 3]]);
+}
+
+}  // namespace
+
+Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology, bool allowOpen,
+                           BakedObjectReport& report) {
+    report.boundaryEdges = topology.boundaryEdges;
+    const auto degenerate = static_cast<uint32_t>(
+        std::count(topology.degenerate.begin(), topology.degenerate.end(), 1));
+    if (degenerate == mesh.triangles.size()) {
+        return fail(ErrorCode::noTriangles, "the mesh has no triangle with three different corners",
+                    "mesh \"" + mesh.name + "\"");
+    }
+    if (degenerate > 0) {
+        report.findings.push_back({"degenerate-triangles",
+                                   "triangles with two equal corners were left out", "",
+                                   degenerate});
+    }
+    if (topology.pinchedEdges > 0) {
+        report.findings.push_back(
+            {"pinched-edges",
+             "the surface touches itself along edges; they were told apart by the solid between",
+             "", topology.pinchedEdges});
+    }
+    if (topology.nonManifoldEdges > 0) {
+        const std::string place = halfEdgePlace(mesh, topology.firstNonManifoldHalfEdge);
+        if (!allowOpen) {
+            return fail(ErrorCode::nonManifoldMesh,
+                        std::to_string(topology.nonManifoldEdges) +
+                            " edges are used by too many triangles or wound against each other, so "
+                            "the surface encloses "
+                            "no solid; mend the mesh, or bake it as it is with --allow-open",
+                        place);
+        }
+        report.findings.push_back(
+            {"non-manifold", "edges used unequally in their two directions were treated as open",
+             place, topology.nonManifoldEdges});
+    }
+    if (topology.boundaryEdges > 0) {
+        const std::string place = halfEdgePlace(mesh, topology.firstBoundaryHalfEdge);
+        if (!allowOpen) {
+            return fail(ErrorCode::openMesh,
+                        "the surface is open: " + std::to_string(topology.boundaryEdges) +
+                            " edges have a triangle on one side only; close the mesh, or bake it "
+                            "as it is with "
+                            "--allow-open (pieces then get a rim along the border)",
+                        place);
+        }
+        report.findings.push_back(
+            {"open-mesh",
+             "the surface is open; the intact object stays so, its pieces are closed by a rim",
+             place, topology.boundaryEdges});
+    }
+    const glm::dvec3 origin = mesh.positions[mesh.triangles[0][0]];
+    report.volume = signedVolume(mesh.positions, mesh.triangles, origin);
+    if (topology.boundaryEdges + topology.nonManifoldEdges == 0 && !(report.volume > 0)) {
+        return fail(ErrorCode::invalidData,
+                    "the surface encloses no positive volume (" + text("%.6g", report.volume) +
+                        "): it is flat or inside out; flip its faces in a modelling tool",
+                    "mesh \"" + mesh.name + "\"");
+    }
+    return {};
+}
+
+Result<void> judgeSeparation(const Components& components, BakedObjectReport& report) {
+    report.levels.resize(components.levels + 1);
+    report.levels[0].components = report.parts = components.parts;
+    uint32_t before = components.parts;
+    for (uint32_t k = 1; k <= components.levels; ++k) {
+        const uint32_t count = components.count[k - 1];
+        report.levels[k].components = count;
+        if (count <= before) {
+            return fail(ErrorCode::separatesNothing,
+                        "the lines of level " + std::to_string(k) +
+                            " separate nothing: the surface has " + std::to_string(count) +
+                            (count == 1 ? " component" : " components") +
+                            " with and without them; draw lines that close around a piece, and "
+                            "that meet on both "
+                            "sides of every chart border they cross",
+                        "mesh \"" + report.name + "\"");
+        }
+        before = count;
+    }
+    return {};
+}
+
+void reportCutting(const PlanarMap& map, const SeamReport& seams, BakedObjectReport& report) {
+    for (const std::string& warning : map.warnings)
+        report.findings.push_back({"map", warning, "", 1});
+    if (seams.loose.empty()) return;
+    report.findings.push_back(
+        {"loose-ends", "lines end at a chart border and go on nowhere on its other side",
+         places(seams.loose,
+                [](const LooseEnd& e) {
+                    return text("UV (%.5f, %.5f)", e.uv.x, e.uv.y) + " at " + at(e.position);
+                }),
+         static_cast<uint32_t>(seams.loose.size())});
+}
+
+void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,
+                  BakedObjectReport& report) {
+    const auto place = [](const MergedLeaf& leaf) {
+        return "near " + at(leaf.position) + text(", area %.3g", leaf.area);
+    };
+    if (!small.empty()) {
+        report.findings.push_back({"merged-small",
+                                   "components too small to be a piece joined a neighbour",
+                                   places(small, place), static_cast<uint32_t>(small.size())});
+    }
+    if (!pieces.merged.empty()) {
+        report.findings.push_back({"merged-empty", "pieces without volume joined a neighbour",
+                                   places(pieces.merged, place),
+                                   static_cast<uint32_t>(pieces.merged.size())});
+    }
+    if (pieces.thinned > 0) {
+        report.findings.push_back(
+            {"thinned", "pieces turned inside out by the medial surface were made thinner", "",
+             pieces.thinned});
+    }
+}
+
+void reportFragments(const FractureSet& set, BakedObjectReport& report) {
+    std::vector<uint8_t> closed(set.fragments.size());
+    for (uint32_t f = 0; f < set.fragments.size(); ++f) {
+        closed[f] =
+            proveByPositions(set.geometry.positions, fragmentTriangles(set, f)).closed() ? 1 : 0;
+    }
+    report.bonds = static_cast<uint32_t>(set.bonds.size());
+    for (uint32_t level = 0; level < report.levels.size(); ++level) {
+        BakedLevelReport& entry = report.levels[level];
+        double volume = 0;
+        for (const uint32_t f : fragmentsAtLevel(set, level)) {
+            ++entry.fragments;
+            entry.closed += closed[f];
+            volume += set.fragments[f].volume;
+        }
+        entry.volumeShare = report.volume > 0 ? volume / report.volume : 0;
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What the pipeline's stages have to say: refusals, and entries of the report.
+#pragma once
+
+#include "interior/piece_mending.h"
+#include "map/planar_map.h"
+#include "sherd/baker/report.h"
+#include "sherd/baker/surface_mesh.h"
+#include "sherd/formats/result.h"
+#include "surface/seam_joining.h"
+
+namespace sherd {
+
+/// Refuses open and non-manifold meshes unless allowed, and solids turned inside out.
+Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology, bool allowOpen,
+                           BakedObjectReport& report);
+
+/// Refuses maps of which a level separates nothing. Fills the levels' component counts.
+Result<void> judgeSeparation(const Components& components, BakedObjectReport& report);
+
+void reportCutting(const PlanarMap& map, const SeamReport& seams, BakedObjectReport& report);
+void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,
+                  BakedObjectReport& report);
+
+/// Counts, closed ones proven over positions, and volume shares.
+void reportFragments(const FractureSet& set, BakedObjectReport& report);
+
+}  // namespace sherd

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// A whole model: its meshes baked one after another, hung on its document.
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "sherd/baker/bake.h"
+#include "sherd/formats/glb_write.h"
+
+namespace sherd {
+namespace {
+
+struct InteriorMaterial {
+    int32_t index = 0;
+    std::vector<NewMaterial> added;
+};
+
+Result<InteriorMaterial> chooseInteriorMaterial(const GltfDocument& document,
+                                                const std::string& name) {
+    const auto json = nlohmann::json::parse(document.json, nullptr, false);
+    const auto materials =
+        json.is_object() && json.contains("materials") && json["materials"].is_array()
+            ? json["materials"]
+            : nlohmann::json::array();
+    if (name.empty()) {
+        NewMaterial neutral;
+        neutral.name = "sherd interior";
+        return InteriorMaterial{static_cast<int32_t>(materials.size()), {neutral}};
+    }
+    std::string known;
+    for (size_t i = 0; i < materials.size(); ++i) {
+        const std::string here = materials[i].is_object() ? materials[i].value("name", "") : "";
+        if (here == name) return InteriorMaterial{static_cast<int32_t>(i), {}};
+        known += (known.empty() ? "\"" : ", \"") + here + "\"";
+    }
+    return fail(ErrorCode::badArgument, "the model has no material named \"" + name +
+                                            "\" for hidden faces; it has " +
+                                            (known.empty() ? "none" : known));
+}
+
+}  // namespace
+
+FractureMap combineMaps(std::vector<FractureMap> maps) {
+    FractureMap all;
+    for (size_t i = 0; i < maps.size(); ++i) {
+        for (FractureMap::Line& line : maps[i].lines) {
+            if (maps.size() > 1) line.level = static_cast<uint32_t>(i + 1);
+            all.lines.push_back(std::move(line));
+        }
+        all.warnings.insert(all.warnings.end(), maps[i].warnings.begin(), maps[i].warnings.end());
+    }
+    std::set<uint32_t> used;
+    for (const FractureMap::Line& line : all.lines) used.insert(line.level);
+    for (FractureMap::Line& line : all.lines) {
+        line.level = static_cast<uint32_t>(std::distance(used.begin(), used.find(line.level))) + 1;
+    }
+    return all;
+}
+
+Result<BakedFile> bakeModel(const Model& model, const FractureMap& map, const Recipe& recipe,
+                            const Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    const Result<InteriorMaterial> interior =
+        chooseInteriorMaterial(model.document, recipe.interior.material);
+    if (!interior) return tl::unexpected(interior.error());
+    BakedFile file;
+    std::vector<FractureSet> sets;
+    for (const SurfaceMesh& mesh : model.meshes) {
+        Result<BakedObject> object = bakeObject(mesh, map, recipe, interior->index, progress);
+        if (!object) return tl::unexpected(object.error());
+        sets.push_back(std::move(object->set));
+        file.report.objects.push_back(std::move(object->report));
+    }
+    if (progress) progress("writing", 0.97);
+    Result<std::vector<uint8_t>> glb = attachFractureSets(model.document, sets, interior->added);
+    if (!glb) return tl::unexpected(glb.error());
+    file.glb = std::move(*glb);
+    file.report.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return file;
+}
+
+}  // namespace sherd

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/closed_mesh.h"
+
+#include <algorithm>
+#include <bit>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+namespace sherd {
+namespace {
+
+struct DirectedEdge {
+    uint64_t key;  ///< low id << 32 | high id
+    uint32_t corner;
+    bool forward;
+};
+
+/// Edges sorted by key with a counting sort on the low id.
+std::vector<DirectedEdge> sortedEdges(std::span<const std::array<uint32_t, 3>> triangles) {
+    uint32_t idCount = 0;
+    for (const auto& t : triangles) idCount = std::max({idCount, t[0] + 1, t[1] + 1, t[2] + 1});
+    std::vector<uint32_t> start(size_t{idCount} + 1, 0);
+    for (const auto& t : triangles) {
+        for (size_t k = 0; k < 3; ++k) ++start[std::min(t[k], t[(k + 1) % 3]) + 1];
+    }
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<DirectedEdge> edges(triangles.size() * 3);
+    std::vector<uint32_t> next(start.begin(), start.end() - 1);
+    for (uint32_t i = 0; i < triangles.size(); ++i) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t a = triangles[i][k];
+            const uint32_t b = triangles[i][(k + 1) % 3];
+            const uint32_t low = std::min(a, b);
+            edges[next[low]++] = {uint64_t{low} << 32 | std::max(a, b), 3 * i + k, a < b};
+        }
+    }
+    for (size_t v = 0; v < idCount; ++v) {
+        std::sort(edges.begin() + start[v], edges.begin() + start[v + 1],
+                  [](const DirectedEdge& a, const DirectedEdge& b) {
+                      return std::tie(a.key, a.corner) < std::tie(b.key, b.corner);
+                  });
+    }
+    return edges;
+}
+
+uint32_t findRoot(std::vector<uint32_t>& parent, uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+}  // namespace
+
+ClosedReport proveByIds(std::span<const std::array<uint32_t, 3>> triangles) {
+    ClosedReport report;
+    const std::vector<DirectedEdge> edges = sortedEdges(triangles);
+    std::vector<uint32_t> fan(triangles.size() * 3);  // corners around a vertex, joined over edges
+    std::iota(fan.begin(), fan.end(), 0U);
+    const auto next = [](uint32_t c) { return c - c % 3 + (c + 1) % 3; };
+    const auto unite = [&](uint32_t a, uint32_t b) { fan[findRoot(fan, a)] = findRoot(fan, b); };
+    for (size_t i = 0; i < edges.size();) {
+        size_t end = i;
+        size_t forward = 0;
+        while (end < edges.size() && edges[end].key == edges[i].key)
+            forward += edges[end++].forward ? 1 : 0;
+        const size_t backward = end - i - forward;
+        if (forward != backward) {
+            report.openEdges +=
+                static_cast<uint32_t>(forward > backward ? forward - backward : backward - forward);
+        } else if (forward > 1) {
+            ++report.repeatedEdges;
+        } else {
+            unite(edges[i].corner, next(edges[i + 1].corner));
+            unite(next(edges[i].corner), edges[i + 1].corner);
+        }
+        i = end;
+    }
+    if (report.openEdges != 0 || report.repeatedEdges != 0) return report;
+    std::vector<std::pair<uint32_t, uint32_t>> fans;  // vertex, fan
+    fans.reserve(fan.size());
+    for (uint32_t c = 0; c < fan.size(); ++c)
+        fans.emplace_back(triangles[c / 3][c % 3], findRoot(fan, c));
+    std::sort(fans.begin(), fans.end());
+    fans.erase(std::unique(fans.begin(), fans.end()), fans.end());
+    for (size_t i = 1; i < fans.size(); ++i)
+        report.splitFans += fans[i].first == fans[i - 1].first ? 1 : 0;
+    return report;
+}
+
+ClosedReport proveByPositions(std::span<const glm::vec3> positions,
+                              std::span<const std::array<uint32_t, 3>> triangles) {
+    const auto bits = [&](uint32_t v) {
+        const glm::vec3 p = positions[v] + 0.0F;  // -0 becomes 0
+        return std::tuple(std::bit_cast<uint32_t>(p.x), std::bit_cast<uint32_t>(p.y),
+                          std::bit_cast<uint32_t>(p.z));
+    };
+    std::vector<uint32_t> used;
+    used.reserve(triangles.size() * 3);
+    for (const auto& t : triangles) used.insert(used.end(), t.begin(), t.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::vector<uint32_t> order(used);
+    std::sort(order.begin(), order.end(),
+              [&](uint32_t a, uint32_t b) { return bits(a) < bits(b); });
+    std::vector<uint32_t> idOf(used.size());
+    uint32_t id = 0;
+    for (size_t i = 0; i < order.size(); ++i) {
+        if (i > 0 && bits(order[i]) != bits(order[i - 1])) ++id;
+        idOf[static_cast<size_t>(std::lower_bound(used.begin(), used.end(), order[i]) -
+                                 used.begin())] = id;
+    }
+    std::vector<std::array<uint32_t, 3>> welded;
+    for (const auto& t : triangles) {
+        std::array<uint32_t, 3> w{};
+        for (size_t k = 0; k < 3; ++k) {
+            w[k] = idOf[static_cast<size_t>(std::lower_bound(used.begin(), used.end(), t[k]) -
+                                            used.begin())];
+        }
+        if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) welded.push_back(w);
+    }
+    ClosedReport report;
+    report.openEdges = proveByIds(welded).openEdges;
+    return report;
+}
+
+double signedVolume(std::span<const glm::vec3> positions,
+                    std::span<const std::array<uint32_t, 3>> triangles, const glm::dvec3& origin) {
+    double six = 0;
+    for (const auto& t : triangles) {
+        const glm::dvec3 a = glm::dvec3(positions[t[0]]) - origin;
+        const glm::dvec3 b = glm::dvec3(positions[t[1]]) - origin;
+        const glm::dvec3 c = glm::dvec3(positions[t[2]]) - origin;
+        six += glm::dot(a, glm::cross(b, c));
+    }
+    return six / 6;
+}
+
+}  // namespace sherd

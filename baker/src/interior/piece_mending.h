@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Pieces turned inside out by prisms that cross the medial surface are mended or merged.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/inside_test.h"
+#include "interior/stitching.h"
+#include "surface/component_merging.h"
+
+namespace sherd {
+
+struct MendedPieces {
+    uint32_t thinned = 0;             ///< pieces whose hidden points were moved towards the surface
+    std::vector<MergedLeaf> merged;   ///< pieces that had no volume even so
+    std::vector<double> leafVolumes;  ///< after mending
+    std::vector<HiddenFace> faces;    ///< the stitched hidden faces of the final leaves
+};
+
+/// For a piece of no positive volume its hidden points go back towards the surface by halves, at
+/// most six times; failing that it is merged into the neighbour with the longest border. Changes
+/// `hidden` and `components`; what is left afterwards has positive volume, unless the whole object
+/// has none.
+MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topology,
+                        const InsideTest& inside, std::vector<glm::vec3>& hidden,
+                        Components& components);
+
+}  // namespace sherd

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "interior/stitching.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace sherd {
+namespace {
+
+uint32_t next(uint32_t corner) {
+    return corner - corner % 3 + (corner + 1) % 3;
+}
+CornerRef outer(uint32_t corner) {
+    return {corner, 0};
+}
+CornerRef below(uint32_t corner) {
+    return {corner, 1};
+}
+
+/// Per leaf: the first level at which its component has a border, levels + 1 if never.
+std::vector<uint32_t> sheetLevels(const SplitSurface& surface, const MeshTopology& topology,
+                                  const Components& components) {
+    std::vector<std::vector<uint8_t>> hasBorder(components.levels);
+    for (uint32_t k = 1; k <= components.levels; ++k)
+        hasBorder[k - 1].assign(components.count[k - 1], 0);
+    for (uint32_t h = 0; h < 3 * surface.triangles.size(); ++h) {
+        const uint32_t leaf = components.leaf[h / 3];
+        const uint32_t o = topology.opposite[h];
+        const uint32_t first =
+            o == kNone ? 1 : components.separatedFrom(leaf, components.leaf[o / 3]);
+        for (uint32_t k = first; k <= components.levels; ++k)
+            hasBorder[k - 1][components.at(k, leaf)] = 1;
+    }
+    std::vector<uint32_t> levels(components.leafCount, components.levels + 1);
+    for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) {
+        for (uint32_t k = components.levels; k >= 1; --k) {
+            if (hasBorder[k - 1][components.at(k, leaf)] != 0) levels[leaf] = k;
+        }
+    }
+    return levels;
+}
+
+/// The wall below the half edge p -> q: q, p, M(p), M(q). Both sides of a border take the same
+/// diagonal, from the lower vertex.
+void addWall(const SplitSurface& surface, uint32_t halfEdge, HiddenFace face,
+             std::vector<HiddenFace>& faces) {
+    const uint32_t p = halfEdge;
+    const uint32_t q = next(halfEdge);
+    face.wall = true;
+    const bool lowIsP = surface.triangles[p / 3].v[p % 3] < surface.triangles[q / 3].v[q % 3];
+    if (lowIsP) {
+        face.corners = {outer(q), outer(p), below(q)};
+        faces.push_back(face);
+        face.corners = {outer(p), below(p), below(q)};
+    } else {
+        face.corners = {outer(q), outer(p), below(p)};
+        faces.push_back(face);
+        face.corners = {outer(q), below(p), below(q)};
+    }
+    faces.push_back(face);
+}
+
+}  // namespace
+
+std::vector<HiddenFace> stitch(const SplitSurface& surface, const MeshTopology& topology,
+                               const Components& components) {
+    const std::vector<uint32_t> sheetLevel = sheetLevels(surface, topology, components);
+    std::vector<HiddenFace> faces;
+    faces.reserve(surface.triangles.size() + surface.triangles.size() / 4);
+    for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
+        const uint32_t leaf = components.leaf[t];
+        HiddenFace face;
+        face.leaf = leaf;
+        if (sheetLevel[leaf] <= components.levels) {
+            face.exposedFrom = sheetLevel[leaf];
+            face.corners = {below(3 * t + 2), below(3 * t + 1), below(3 * t)};
+            faces.push_back(face);
+        }
+        for (uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+            const uint32_t o = topology.opposite[h];
+            face.neighbour = o == kNone ? kNone : components.leaf[o / 3];
+            if (face.neighbour == leaf) continue;
+            face.exposedFrom = o == kNone ? 1 : components.separatedFrom(leaf, face.neighbour);
+            addWall(surface, h, face, faces);
+        }
+    }
+    return faces;
+}
+
+std::vector<std::array<uint32_t, 3>> levelTopology(const SplitSurface& surface,
+                                                   const MeshTopology& topology,
+                                                   const Components& components,
+                                                   std::span<const HiddenFace> hidden,
+                                                   uint32_t level) {
+    const auto cornerCount = static_cast<uint32_t>(3 * surface.triangles.size());
+    std::vector<uint32_t> fan(cornerCount);
+    std::iota(fan.begin(), fan.end(), 0U);
+    const auto find = [&](uint32_t i) {
+        while (fan[i] != i) i = fan[i] = fan[fan[i]];
+        return i;
+    };
+    for (uint32_t h = 0; h < cornerCount; ++h) {
+        const uint32_t o = topology.opposite[h];
+        if (o == kNone || o < h) continue;
+        if (components.at(level, components.leaf[h / 3]) !=
+            components.at(level, components.leaf[o / 3]))
+            continue;
+        fan[find(h)] = find(next(o));
+        fan[find(next(h))] = find(o);
+    }
+    std::vector<std::array<uint32_t, 3>> triangles;
+    triangles.reserve(surface.triangles.size() + hidden.size());
+    for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
+        triangles.push_back({2 * find(3 * t), 2 * find(3 * t + 1), 2 * find(3 * t + 2)});
+    }
+    for (const HiddenFace& face : hidden) {
+        if (face.exposedFrom > level) continue;
+        std::array<uint32_t, 3> ids{};
+        for (size_t k = 0; k < 3; ++k)
+            ids[k] = 2 * find(face.corners[k].corner) + face.corners[k].hidden;
+        triangles.push_back(ids);
+    }
+    return triangles;
+}
+
+}  // namespace sherd

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Thesis step 7 (Casella 2013, 4.9): every component is closed by its hidden sheet and by walls
+// from its border to the border of the sheet. Piece of a component C: C - M(C) - Wall(border of C).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "surface/components.h"
+#include "surface/mesh_topology.h"
+
+namespace sherd {
+
+/// A corner of the split surface (3 * triangle + k), or the hidden point below it.
+struct CornerRef {
+    uint32_t corner : 31;
+    uint32_t hidden : 1;
+};
+
+struct HiddenFace {
+    std::array<CornerRef, 3> corners;
+    uint32_t leaf = 0;
+    uint32_t exposedFrom = 1;
+    uint32_t neighbour = kNone;  ///< the leaf across a wall; kNone for a sheet and for a rim
+    bool wall = false;
+};
+
+/// The hidden faces of all leaves, in the order of leaves' triangles. A wall shows from the level
+/// at which its two leaves part, a sheet from the level at which its component first has a border.
+/// A closed part that no line crosses has neither. Open borders of the mesh get a wall (a rim) of
+/// their own, exposed from level 1.
+std::vector<HiddenFace> stitch(const SplitSurface& surface, const MeshTopology& topology,
+                               const Components& components);
+
+/// Vertex ids (2 * class + hidden) of all faces of all fragments of one level, outer and hidden,
+/// such that a component that touches itself at a vertex has one id for each of its fans there.
+std::vector<std::array<uint32_t, 3>> levelTopology(const SplitSurface& surface,
+                                                   const MeshTopology& topology,
+                                                   const Components& components,
+                                                   std::span<const HiddenFace> hidden,
+                                                   uint32_t level);
+
+}  // namespace sherd

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "sherd/baker/recipe.h"
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace sherd {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Reads one JSON object field by field; every key must be known. The first error stops it.
+class Reader {
+  public:
+    Reader(std::string file, Error& error) : file_(std::move(file)), error_(error) {}
+
+    using Field = std::function<bool(const Json&, const std::string& pointer)>;
+
+    bool object(const Json& json, const std::string& pointer,
+                const std::map<std::string, Field>& fields) {
+        if (!json.is_object()) return wrong(pointer, "must be an object");
+        for (const auto& [key, value] : json.items()) {
+            const auto it = fields.find(key);
+            if (it == fields.end()) {
+                std::string known;
+                for (const auto& [name, field] : fields)
+                    known += (known.empty() ? "" : ", ") + name;
+                return wrong(pointer + "/" + key, "is not a known key here; known are " + known);
+            }
+            if (!it->second(value, pointer + "/" + key)) return false;
+        }
+        return true;
+    }
+
+    Field number(double& target, double low, double high) {
+        return [this, &target, low, high](const Json& json, const std::string& pointer) {
+            const bool ok =
+                json.is_number() && json.get<double>() >= low && json.get<double>() <= high;
+            if (!ok)
+                return wrong(pointer, "must be a number from " + text(low) + " to " + text(high));
+            target = json.get<double>();
+            return true;
+        };
+    }
+    template <class Integer>
+    Field integer(Integer& target, int low, int high) {
+        return [this, &target, low, high](const Json& json, const std::string& pointer) {
+            const bool ok =
+                json.is_number_integer() && json.get<double>() >= low && json.get<double>() <= high;
+            if (!ok) {
+                return wrong(pointer, "must be a whole number from " + std::to_string(low) +
+                                          " to " + std::to_string(high));
+            }
+            target = json.get<Integer>();
+            return true;
+        };
+    }
+    Field boolean(bool& target) {
+        return [this, &target](const Json& json, const std::string& pointer) {
+            if (!json.is_boolean()) return wrong(pointer, "must be true or false");
+            target = json.get<bool>();
+            return true;
+        };
+    }
+    Field string(std::string& target) {
+        return [this, &target](const Json& json, const std::string& pointer) {
+            if (!json.is_string()) return wrong(pointer, "must be a string");
+            target = json.get<std::string>();
+            return true;
+        };
+    }
+
+    bool wrong(const std::string& pointer, const std::string& what) {
+        error_ = {ErrorCode::invalidData,
+                  "\"" + pointer.substr(pointer.rfind('/') + 1) + "\" " + what,
+                  file_ + "#" + pointer};
+        return false;
+    }
+
+  private:
+    static std::string text(double value) {
+        std::ostringstream out;
+        out << value;
+        return out.str();
+    }
+
+    std::string file_;
+    Error& error_;
+};
+
+bool readLevels(Reader& reader, const Json& json, const std::string& pointer, Recipe& recipe) {
+    if (!json.is_array() || json.empty())
+        return reader.wrong(pointer, "must be a list with at least one level");
+    for (size_t i = 0; i < json.size(); ++i) {
+        RecipeLevel level;
+        std::string map;
+        const std::string here = pointer + "/" + std::to_string(i);
+        if (!reader.object(json[i], here,
+                           {{"map", reader.string(map)}, {"name", reader.string(level.name)}}))
+            return false;
+        if (map.empty())
+            return reader.wrong(here, "needs a \"map\": the path of an SVG or JSON fracture map");
+        level.map = map;
+        recipe.levels.push_back(level);
+    }
+    return true;
+}
+
+bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
+                  InteriorSettings& interior) {
+    std::string type = "medial";
+    if (!reader.object(json, pointer,
+                       {{"type", reader.string(type)},
+                        {"thesis", reader.boolean(interior.thesis)},
+                        {"preSmoothing", reader.integer(interior.preSmoothing, 0, 1000)},
+                        {"postSmoothing", reader.integer(interior.postSmoothing, 0, 1000)},
+                        {"material", reader.string(interior.material)},
+                        {"uvMetresPerTile", reader.number(interior.uvMetresPerTile, 0, 1e9)}})) {
+        return false;
+    }
+    return type == "medial" || reader.wrong(pointer + "/type", "must be \"medial\"");
+}
+
+bool readPhysics(Reader& reader, const Json& json, const std::string& pointer,
+                 PhysicsSettings& physics) {
+    return reader.object(json, pointer,
+                         {{"density", reader.number(physics.density, 1e-6, 1e9)},
+                          {"friction", reader.number(physics.friction, 0, 100)},
+                          {"restitution", reader.number(physics.restitution, 0, 1)},
+                          {"strength", reader.number(physics.strength, 0, 1e15)},
+                          {"toughness", reader.number(physics.toughness, 0, 1e15)},
+                          {"hullVertices", reader.integer(physics.hullVertices, 4, 255)},
+                          {"hullMargin", reader.number(physics.hullMargin, 0, 1e6)}});
+}
+
+}  // namespace
+
+Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
+    Json json;
+    try {
+        json = Json::parse(text, nullptr, true, true);
+    } catch (const Json::parse_error& e) {
+        return fail(ErrorCode::malformed, std::string("the recipe is not valid JSON: ") + e.what(),
+                    name);
+    }
+    Recipe recipe;
+    Error error;
+    Reader reader(name, error);
+    const bool ok = reader.object(
+        json, "",
+        {{"levels",
+          [&](const Json& j, const std::string& p) { return readLevels(reader, j, p, recipe); }},
+         {"interior",
+          [&](const Json& j, const std::string& p) {
+              return readInterior(reader, j, p, recipe.interior);
+          }},
+         {"physics",
+          [&](const Json& j, const std::string& p) {
+              return readPhysics(reader, j, p, recipe.physics);
+          }},
+         {"curveTolerance", reader.number(recipe.curveTolerance, 1e-7, 0.1)},
+         {"seamJoinShare", reader.number(recipe.seamJoinShare, 0, 0.1)},
+         {"minimumComponentShare", reader.number(recipe.minimumComponentShare, 0, 0.5)},
+         {"allowOpen", reader.boolean(recipe.allowOpen)}});
+    if (!ok) return tl::unexpected(error);
+    return recipe;
+}
+
+Result<Recipe> readRecipe(const std::filesystem::path& path) {
+    std::error_code status;
+    if (!std::filesystem::exists(path, status)) {
+        return fail(ErrorCode::fileNotFound, "the recipe does not exist", path.string());
+    }
+    std::ifstream in(path, std::ios::binary);
+    std::stringstream content;
+    content << in.rdbuf();
+    if (!in) return fail(ErrorCode::fileRead, "the recipe cannot be read", path.string());
+    Result<Recipe> recipe = parseRecipe(content.str(), path.string());
+    if (recipe) {
+        for (RecipeLevel& level : recipe->levels) level.map = path.parent_path() / level.map;
+    }
+    return recipe;
+}
+
+}  // namespace sherd

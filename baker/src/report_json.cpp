@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "sherd/baker/report.h"
+
+namespace sherd {
+
+std::string toJson(const BakeReport& report) {
+    using Json = nlohmann::ordered_json;
+    Json root{{"sherdReport", 1},
+              {"source", report.source},
+              {"seconds", report.seconds},
+              {"objects", Json::array()}};
+    for (const BakedObjectReport& object : report.objects) {
+        Json entry{{"name", object.name},
+                   {"triangles", object.triangles},
+                   {"splitTriangles", object.splitTriangles},
+                   {"parts", object.parts},
+                   {"diagonal", object.diagonal},
+                   {"volume", object.volume},
+                   {"boundaryEdges", object.boundaryEdges},
+                   {"bonds", object.bonds},
+                   {"levels", Json::array()},
+                   {"findings", Json::array()},
+                   {"stages", Json::array()}};
+        for (const BakedLevelReport& level : object.levels) {
+            entry["levels"].push_back({{"fragments", level.fragments},
+                                       {"components", level.components},
+                                       {"closed", level.closed},
+                                       {"volumeShare", level.volumeShare}});
+        }
+        for (const BakeFinding& finding : object.findings) {
+            entry["findings"].push_back({{"code", finding.code},
+                                         {"message", finding.message},
+                                         {"where", finding.where},
+                                         {"count", finding.count}});
+        }
+        for (const StageTime& stage : object.stages) {
+            entry["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+        }
+        root["objects"].push_back(std::move(entry));
+    }
+    // Names come from files: replace what is not UTF-8 rather than throw.
+    return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace sherd

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "surface/component_merging.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+
+namespace sherd {
+namespace {
+
+double areaOf(const SplitSurface& surface, const SplitTriangle& t) {
+    const glm::dvec3 a = surface.positions[t.v[0]];
+    return 0.5 * glm::length(glm::cross(glm::dvec3(surface.positions[t.v[1]]) - a,
+                                        glm::dvec3(surface.positions[t.v[2]]) - a));
+}
+
+/// Where a chain of merges ends; small leaves may have chosen each other in a circle, whose lowest
+/// one then stands for all.
+uint32_t rootOf(std::span<const uint32_t> into, uint32_t leaf) {
+    std::vector<uint32_t> path{leaf};
+    while (into[leaf] != leaf) {
+        leaf = into[leaf];
+        const auto seen = std::find(path.begin(), path.end(), leaf);
+        if (seen != path.end()) return *std::min_element(seen, path.end());
+        path.push_back(leaf);
+    }
+    return leaf;
+}
+
+/// Numbers labels anew in the order of their first appearance.
+uint32_t compact(std::vector<uint32_t>& labels) {
+    std::map<uint32_t, uint32_t> number;
+    for (uint32_t& label : labels) {
+        label = number.try_emplace(label, static_cast<uint32_t>(number.size())).first->second;
+    }
+    return static_cast<uint32_t>(number.size());
+}
+
+}  // namespace
+
+std::vector<uint32_t> bestNeighbours(const SplitSurface& surface, const MeshTopology& topology,
+                                     const Components& components) {
+    std::vector<std::map<uint32_t, double>> border(components.leafCount);
+    for (uint32_t h = 0; h < 3 * surface.triangles.size(); ++h) {
+        const uint32_t o = topology.opposite[h];
+        if (o == kNone) continue;
+        const uint32_t a = components.leaf[h / 3];
+        const uint32_t b = components.leaf[o / 3];
+        if (a == b) continue;
+        const auto& v = surface.triangles[h / 3].v;
+        border[a][b] += glm::distance(glm::dvec3(surface.positions[v[h % 3]]),
+                                      glm::dvec3(surface.positions[v[(h + 1) % 3]]));
+    }
+    std::vector<uint32_t> best(components.leafCount, kNone);
+    for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) {
+        uint32_t bestLevel = 0;
+        double bestLength = -1;
+        for (const auto& [neighbour, length] : border[leaf]) {
+            const uint32_t level = components.separatedFrom(leaf, neighbour);
+            if (level < bestLevel || (level == bestLevel && length <= bestLength)) continue;
+            best[leaf] = neighbour;
+            bestLevel = level;
+            bestLength = length;
+        }
+    }
+    return best;
+}
+
+void mergeLeaves(Components& components, std::span<const uint32_t> into) {
+    std::vector<uint32_t> root(components.leafCount);
+    for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) root[leaf] = rootOf(into, leaf);
+    for (uint32_t& leaf : components.leaf) leaf = root[leaf];
+    std::vector<uint32_t> old = components.leaf;  // old leaf per triangle, numbered anew below
+    std::vector<uint32_t> oldOfNew;
+    std::vector<uint8_t> seen(components.leafCount, 0);
+    for (const uint32_t leaf : old) {
+        if (seen[leaf] == 0) oldOfNew.push_back(leaf);
+        seen[leaf] = 1;
+    }
+    components.leafCount = compact(components.leaf);
+    for (uint32_t k = 0; k < components.levels; ++k) {
+        std::vector<uint32_t> labels;
+        labels.reserve(oldOfNew.size());
+        for (const uint32_t leaf : oldOfNew) labels.push_back(components.ofLeaf[k][leaf]);
+        components.count[k] = compact(labels);
+        components.ofLeaf[k] = std::move(labels);
+    }
+}
+
+std::vector<double> leafAreas(const SplitSurface& surface, const Components& components) {
+    std::vector<double> areas(components.leafCount, 0);
+    for (size_t t = 0; t < surface.triangles.size(); ++t) {
+        areas[components.leaf[t]] += areaOf(surface, surface.triangles[t]);
+    }
+    return areas;
+}
+
+glm::dvec3 placeOfLeaf(const SplitSurface& surface, const Components& components, uint32_t leaf) {
+    double largest = -1;
+    glm::dvec3 place(0.0);
+    for (size_t t = 0; t < surface.triangles.size(); ++t) {
+        if (components.leaf[t] != leaf) continue;
+        const auto& triangle = surface.triangles[t];
+        const double area = areaOf(surface, triangle);
+        if (area <= largest) continue;
+        largest = area;
+        place = (glm::dvec3(surface.positions[triangle.v[0]]) +
+                 glm::dvec3(surface.positions[triangle.v[1]]) +
+                 glm::dvec3(surface.positions[triangle.v[2]])) /
+                3.0;
+    }
+    return place;
+}
+
+std::vector<MergedLeaf> mergeSmallLeaves(const SplitSurface& surface, const MeshTopology& topology,
+                                         double minimumShare, Components& components) {
+    std::vector<MergedLeaf> merged;
+    for (bool again = true; again;) {
+        again = false;
+        const std::vector<double> areas = leafAreas(surface, components);
+        const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
+        std::vector<uint32_t> into(components.leafCount);
+        std::iota(into.begin(), into.end(), 0U);
+        std::vector<uint32_t> best;
+        for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) {
+            if (areas[leaf] >= minimumShare * total) continue;
+            if (best.empty()) best = bestNeighbours(surface, topology, components);
+            if (best[leaf] == kNone) continue;
+            into[leaf] = best[leaf];
+            merged.push_back({areas[leaf], placeOfLeaf(surface, components, leaf)});
+            again = true;
+        }
+        if (again) mergeLeaves(components, into);
+    }
+    return merged;
+}
+
+}  // namespace sherd
