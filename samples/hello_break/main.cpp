@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
             return 1;
         }
         for (int frame = 0; frame < 180; ++frame) {
-            world.stepSimulation(1.0F / 60);
+            world.stepSimulation(1.0F / 60, 4, 1.0F / 240);  // a fast ball needs fine substeps
             for (const sherd::BreakEvent& event : destruction.events()) {
                 std::printf(
                     "%.3f s: %s fragment %u broke into %u, hit by %.3g J, %.3g of them used\n",

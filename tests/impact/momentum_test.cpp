@@ -26,18 +26,26 @@ bool randomHit(uint32_t seed, Measured& measured) {
     };
     BulletWorld bullet;
     DestructionWorld destruction(bullet.world, drivenByHand());
-    const auto asset = makeBox({.size = {uniform(0.5F, 1.5F), uniform(0.5F, 1.5F), 1},
+    // Braces evaluate in order, on every compiler.
+    const auto triple = [&](float x, float y, float z) {
+        return glm::vec3{uniform(-x, x), uniform(-y, y), uniform(-z, z)};
+    };
+    const glm::vec3 stretch = triple(0.5F, 0.5F, 0.5F);
+    const auto asset = makeBox({.size = glm::vec3(1.0F) + stretch,
                                 .level2 = {2, 1, 2},
                                 .toughness = 10,
                                 .center = {0.3F, -0.2F, 0.1F}});
     SpawnOptions options;
-    options.linearVelocity = {uniform(-2, 2), uniform(-2, 2), uniform(-2, 2)};
-    options.angularVelocity = {uniform(-3, 3), uniform(-3, 3), uniform(-3, 3)};
+    options.linearVelocity = triple(2, 2, 2);
+    options.angularVelocity = triple(3, 3, 3);
     (void)destruction.spawn(asset, at(0, 0, 0), options).value();
-    btRigidBody& ball = bullet.addBall(0.2F, uniform(20, 500),
-                                       btVector3(-1.5F, uniform(-0.3F, 0.3F), uniform(-0.3F, 0.3F)),
-                                       btVector3(uniform(8, 25), uniform(-2, 2), uniform(-2, 2)));
-    ball.setAngularVelocity(btVector3(uniform(-5, 5), uniform(-5, 5), uniform(-5, 5)));
+    const glm::vec3 place = triple(0, 0.3F, 0.3F);
+    const glm::vec3 aim = triple(8.5F, 2, 2);
+    const glm::vec3 spin = triple(5, 5, 5);
+    const float mass = uniform(20, 500);
+    btRigidBody& ball = bullet.addBall(0.2F, mass, btVector3(-1.5F, place.y, place.z),
+                                       btVector3(16.5F + aim.x, aim.y, aim.z));
+    ball.setAngularVelocity(btVector3(spin.x, spin.y, spin.z));
     for (int i = 0; i < 60; ++i) {
         measured.before = totals(bullet.world);
         bullet.step();
@@ -59,7 +67,7 @@ TEST_CASE("a hit keeps momentum and takes what breaking consumed out of the ener
     double worstLinear = 0;
     double worstAngular = 0;
     double worstGain = 0;
-    for (uint32_t seed = 1; seed <= 300; ++seed) {
+    for (uint32_t seed = 1; seed <= 1000; ++seed) {
         Measured m;
         if (!randomHit(seed, m)) continue;
         ++hits;
@@ -74,12 +82,10 @@ TEST_CASE("a hit keeps momentum and takes what breaking consumed out of the ener
     }
     MESSAGE(hits << " hits, worst |dp| " << worstLinear << ", |dL| " << worstAngular
                  << ", energy gain " << worstGain);
-    CHECK(hits > 250);
+    CHECK(hits > 800);
     CHECK(worstLinear < 1e-5);
     CHECK(worstAngular < 1e-5);
-    // Where a fast ball is deep inside after a whole 1/60 s and grazes, too little approach is left
-    // to take the couple's energy from.
-    CHECK(worstGain < 2e-3);
+    CHECK(worstGain < 1e-3);
 }
 
 TEST_CASE("the parts of a spinning body fly off with the velocity they had") {

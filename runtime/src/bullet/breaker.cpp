@@ -31,6 +31,19 @@ Contact contactNow(const btCollisionObject& a, const btCollisionObject& b, const
     return contact;
 }
 
+/// Slows a's motion against b along `direction` until `energy` is gone, or the motion is. The
+/// impulse j with j v - j^2 / (2 m) = energy takes exactly that. Returns what was taken, J.
+float takeEnergy(btCollisionObject& a, btCollisionObject& b, const btVector3& point,
+                 const btVector3& direction, float energy) {
+    const Contact now = contactNow(a, b, point, -direction);
+    if (!(now.approachSpeed > 0) || !(now.effectiveMass > 0)) return 0;
+    const float available = 0.5F * now.effectiveMass * now.approachSpeed * now.approachSpeed;
+    const float taken = std::min(energy, available);
+    const float left = now.approachSpeed * std::sqrt(std::max(1 - taken / available, 0.0F));
+    applyPair(a, b, point, direction * (-now.effectiveMass * (now.approachSpeed - left)));
+    return taken;
+}
+
 }  // namespace
 
 /// Two bodies that hit each other; when a side breaks, its struck child takes its place.
@@ -128,13 +141,20 @@ void Breaker::breakSide(Strike& strike, uint32_t side, const Contact& contact, f
     const Object& object = store_.object(piece.object);
     const float consumed = breakThreshold(object.asset(), piece.fragment, object.options.damage);
 
-    // The impulse j with j v - j^2 / (2 m) = taken: the relative motion loses exactly that.
-    const Contact now =
-        contactNow(*strike.bodies[0], *strike.bodies[1], strike.point, strike.normal);
-    const float speed = std::max(now.approachSpeed, 0.0F);
-    const float left = speed * speed - 2 * (consumed + surplus) / now.effectiveMass;
-    const float impulse = now.effectiveMass * (speed - std::sqrt(std::max(left, 0.0F)));
-    applyPair(*strike.bodies[0], *strike.bodies[1], strike.point, strike.normal * impulse);
+    // Along the normal first; a graze that has too little there gives the rest sideways, as
+    // friction.
+    const float wanted = consumed + surplus;
+    const float taken =
+        takeEnergy(*strike.bodies[0], *strike.bodies[1], strike.point, -strike.normal, wanted);
+    if (taken < wanted) {
+        const btVector3 sliding =
+            velocityAt(*strike.bodies[0], motionNow(*strike.bodies[0]), strike.point) -
+            velocityAt(*strike.bodies[1], motionNow(*strike.bodies[1]), strike.point);
+        if (sliding.length2() > 0) {
+            takeEnergy(*strike.bodies[0], *strike.bodies[1], strike.point, sliding.normalized(),
+                       wanted - taken);
+        }
+    }
 
     BreakEvent event;
     event.point = toGlm(strike.point);
