@@ -92,6 +92,30 @@ TEST_CASE("the energy measured is the same whether one point touches or a face")
     CHECK(face == doctest::Approx(320).epsilon(0.05));
 }
 
+TEST_CASE("the energy measured depends neither on the step rate nor on when in a step it hits") {
+    for (const float rate : {30.0F, 60.0F, 120.0F, 240.0F}) {
+        for (int phase = 0; phase < 10; ++phase) {
+            CAPTURE(rate);
+            CAPTURE(phase);
+            BulletWorld bullet;
+            DestructionWorld destruction(bullet.world);
+            SpawnOptions options;
+            options.dynamic = false;
+            (void)destruction.spawn(makeBox(), at(0, 0, 0), options).value();
+            const float start = -1 - 0.1F * float(phase) * 6 / rate;
+            bullet.addBall(0.2F, 10, btVector3(start, 0.1F, 0.1F), btVector3(6, 0, 0));
+            std::vector<BreakEvent> events;
+            for (int i = 0; i < 240 && events.empty(); ++i) {
+                bullet.step(1 / rate);
+                const auto broken = destruction.events();
+                events.assign(broken.begin(), broken.end());
+            }
+            REQUIRE(events.size() == 1);
+            CHECK(events[0].energy == doctest::Approx(180).epsilon(0.02));
+        }
+    }
+}
+
 TEST_CASE("the hitter goes through instead of bouncing off an intact wall") {
     BulletWorld bullet;
     DestructionWorld destruction(bullet.world);

@@ -82,6 +82,11 @@ void Breaker::findHits() {
         contact.effectiveMass =
             effectiveMass(*strike.bodies[0], *strike.bodies[1], pair.point, pair.normal);
         contact.impulse = pair.normalImpulse;
+        // Bullet brakes bodies that would meet within the substep only down to just meeting, and
+        // stops them in the next. One hit must not count as two weaker ones.
+        const Contact rest =
+            contactNow(*strike.bodies[0], *strike.bodies[1], pair.point, pair.normal);
+        if (pair.gap > 0 && rest.approachSpeed > 0) contact.impulse += rest.impulse;
         const float energy = contactEnergy(contact);
         if (weakerSide(strike, energy, contact.impulse) < 2) hits_.push_back({p, contact, energy});
     }

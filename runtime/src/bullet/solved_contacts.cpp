@@ -44,6 +44,7 @@ SolvedPair sumPoints(const btPersistentManifold& manifold, const btVector3& orig
         sum.normal += push;
         sum.point += (placeA + placeB) * (btScalar(0.5) * contact.m_appliedImpulse);
         sum.normalImpulse += contact.m_appliedImpulse;
+        if (contact.m_appliedImpulse > 0) sum.gap = std::min(sum.gap, float(contact.getDistance()));
         sum.impulse += total;
         sum.twistA += placeA.cross(total);
         sum.twistB += placeB.cross(total);
@@ -141,6 +142,7 @@ void SolvedContacts::mergePairs() {
             last->normal += pair.normal;
             last->point += pair.point;
             last->normalImpulse += pair.normalImpulse;
+            last->gap = std::min(last->gap, pair.gap);
             last->impulse += pair.impulse;
             last->twistA += pair.twistA;
             last->twistB += pair.twistB;

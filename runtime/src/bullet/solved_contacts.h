@@ -17,6 +17,7 @@ struct SolvedPair {
     btVector3 normal{0, 0, 0};   ///< unit, from b to a
     btVector3 point{0, 0, 0};    ///< world; where the impulses' mean acts
     float normalImpulse = 0;     ///< N s
+    float gap = BT_LARGE_FLOAT;  ///< least distance of its points, metres; negative: penetrating
     btVector3 impulse{0, 0, 0};  ///< on a, with friction; b got the opposite, N s
     btVector3 twistA{0, 0, 0};   ///< moment of the impulses about `point`, on a, N m s
     btVector3 twistB{0, 0, 0};   ///< b got the opposite of this one
