@@ -237,12 +237,14 @@ class Batch {
     }
 
     Result<size_t> commit() {
-        for (const auto& file : staged_) {
-            std::error_code code;
+        // What can be foreseen is looked at before the first file takes its place.
+        std::error_code code;
+        for (const auto& file : staged_)
             if (std::filesystem::is_directory(file.path, code))
-                code = std::make_error_code(std::errc::is_a_directory);
-            else
-                std::filesystem::rename(file.temporary, file.path, code);
+                return fail(ErrorCode::fileWrite, "a directory is in the way of the file",
+                            file.path.string());
+        for (const auto& file : staged_) {
+            std::filesystem::rename(file.temporary, file.path, code);
             if (code)
                 return fail(ErrorCode::fileWrite, "cannot write the file: " + code.message(),
                             file.path.string());
