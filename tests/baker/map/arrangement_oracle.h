@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The arrangement of segments by brute force over rational numbers: all pairs, points compared by
-// value. Shares nothing with `planarise` but its input.
+// The arrangement of segments by brute force over rational numbers without limit: all pairs, points
+// compared by value. Shares nothing with `planarise` but its input.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,33 @@
 
 namespace sherd::test {
 
-using Rational = boost::multiprecision::cpp_rational;
+/// A fraction that is never reduced: the sums here stay short, and gcds would cost more.
+struct Rational {
+    using Integer = boost::multiprecision::cpp_int;
+    Integer num = 0;
+    Integer den = 1;  ///< positive
+
+    Rational() = default;
+    Rational(int64_t whole) : num(whole) {}
+    Rational(Integer n, Integer d) : num(std::move(n)), den(std::move(d)) {
+        if (den >= 0) return;
+        num = -num;
+        den = -den;
+    }
+    friend Rational operator+(const Rational& a, const Rational& b) {
+        return {a.num * b.den + b.num * a.den, a.den * b.den};
+    }
+    friend Rational operator*(const Rational& a, const Rational& b) {
+        return {a.num * b.num, a.den * b.den};
+    }
+    friend bool operator==(const Rational& a, const Rational& b) {
+        return a.num * b.den == b.num * a.den;
+    }
+    friend bool operator<(const Rational& a, const Rational& b) {
+        return a.num * b.den < b.num * a.den;
+    }
+    friend bool operator<=(const Rational& a, const Rational& b) { return !(b < a); }
+};
 using RationalPoint = std::pair<Rational, Rational>;
 
 struct OracleSegment {
@@ -54,20 +80,22 @@ inline std::vector<RationalPoint> sharedPoints(const OracleSegment& s, const Ora
     const int64_t m1 = x1 - x2;
     const int64_t n2 = y4 - y3;
     const int64_t m2 = x3 - x4;
-    const Rational k1 = Rational(n1) * x1 + Rational(m1) * y1;
-    const Rational k2 = Rational(n2) * x3 + Rational(m2) * y3;
-    const Rational determinant = Rational(n1) * m2 - Rational(n2) * m1;
+    using Integer = Rational::Integer;
+    const Integer k1 = Integer(n1) * x1 + Integer(m1) * y1;
+    const Integer k2 = Integer(n2) * x3 + Integer(m2) * y3;
+    const Integer determinant = Integer(n1) * m2 - Integer(n2) * m1;
     const auto within = [](const OracleSegment& segment, const RationalPoint& p) {
         const auto [a, b, c, d] = segment.ends;
-        return p.first >= std::min(a, c) && p.first <= std::max(a, c) &&
-               p.second >= std::min(b, d) && p.second <= std::max(b, d);
+        return Rational(std::min(a, c)) <= p.first && p.first <= Rational(std::max(a, c)) &&
+               Rational(std::min(b, d)) <= p.second && p.second <= Rational(std::max(b, d));
     };
     if (determinant != 0) {
-        const RationalPoint p{(k1 * m2 - k2 * m1) / determinant, (k2 * n1 - k1 * n2) / determinant};
+        const RationalPoint p{Rational(k1 * m2 - k2 * m1, determinant),
+                              Rational(k2 * n1 - k1 * n2, determinant)};
         if (within(s, p) && within(t, p)) return {p};
         return {};
     }
-    if (Rational(n1) * x3 + Rational(m1) * y3 != k1) return {};
+    if (Integer(n1) * x3 + Integer(m1) * y3 != k1) return {};
     std::vector<RationalPoint> points;
     for (const RationalPoint& p : {RationalPoint{x1, y1}, RationalPoint{x2, y2},
                                    RationalPoint{x3, y3}, RationalPoint{x4, y4}})

@@ -36,7 +36,7 @@ RationalPoint exactPosition(const PlanarMap& map, const MapNode& node) {
     const auto [c, d] = map.supports[static_cast<size_t>(node.second)];
     const LineParameter p = crossingParameter(a, b, c, d).value();
     const Rational t(p.num, p.den);
-    return {a.u + t * (b.u - a.u), a.v + t * (b.v - a.v)};
+    return {Rational(a.u) + t * Rational(b.u - a.u), Rational(a.v) + t * Rational(b.v - a.v)};
 }
 
 PlanarMap planarised(const FractureMap& map) {

@@ -358,7 +358,8 @@ TEST_CASE("uses that double and double again end at the limit") {
     std::string body = "<defs><path id='u0' d='M0 0L1 1'/>";
     for (int i = 1; i < 40; ++i) {
         const std::string use = "<use href='#u" + std::to_string(i - 1) + "'/>";
-        body += "<g id='u" + std::to_string(i) + "'>" + use + use + "</g>";
+        body.append("<g id='u").append(std::to_string(i)).append("'>");
+        body.append(use).append(use).append("</g>");
     }
     CHECK(codeOf(drawing(body + "</defs><use href='#u39'/>")) == ErrorCode::limitExceeded);
 }
