@@ -14,8 +14,7 @@
 #include "interior/medial.h"
 #include "interior/piece_mending.h"
 #include "surface/component_merging.h"
-#include "surface/seam_joining.h"
-#include "surface/triangulation.h"
+#include "surface/cut_surface.h"
 
 namespace sherd {
 namespace {
@@ -107,28 +106,22 @@ class Bake {
         const StageTimer timer = stage("cutting", 0.1);
         if (map_.lines.empty())
             return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
-        const Result<std::vector<UvTriangle>> uv = snapUv(mesh_);
-        if (!uv) return tl::unexpected(uv.error());
-        const Result<PlanarMap> map = planarise(map_);
-        if (!map) return tl::unexpected(map.error());
-        const std::vector<Cut> cuts = matchAll(*map, *uv, meshTopology_.degenerate);
-        ResolvedEdges edges = resolveEdges(meshTopology_, mesh_.triangles,
-                                           static_cast<uint32_t>(mesh_.positions.size()), cuts);
-        const SeamReport seams =
-            joinAcrossSeams(meshTopology_, mesh_.positions, mesh_.triangles, *uv, cuts,
-                            {recipe_.seamJoinShare * diagonal_}, edges);
-        Result<SplitSurface> split =
-            splitSurface({mesh_.positions, mesh_.triangles, meshTopology_, *uv, *map, cuts, edges});
-        if (!split) return tl::unexpected(split.error());
-        surface_ = std::move(*split);
-        const std::vector<std::array<uint32_t, 3>> triangles = vertexTriangles(surface_);
-        topology_ = buildTopology(surface_.positions, triangles);
-
+        Result<CutSurface> done =
+            cutSurface(mesh_, meshTopology_, map_, {recipe_.seamJoinShare * diagonal_});
+        if (!done) return tl::unexpected(done.error());
+#ifdef SHERD_VALIDATE
+        if (!isFaithfulSplit(mesh_, meshTopology_, *done, 1e-4)) {
+            return fail(ErrorCode::internal, "cutting changed the surface; please report it",
+                        mesh_.name);
+        }
+#endif
+        surface_ = std::move(done->surface);
+        topology_ = std::move(done->topology);
         uint32_t levels = 1;
         for (const FractureMap::Line& line : map_.lines) levels = std::max(levels, line.level);
         components_ = floodFill(surface_, topology_, levels);
         report().splitTriangles = static_cast<uint32_t>(surface_.triangles.size());
-        reportCutting(*map, seams, report());
+        reportCutting(*done, report());
         return judgeSeparation(components_, report());
     }
 
@@ -168,7 +161,6 @@ class Bake {
     }
 
     void assemble() {
-        const StageTimer timer = stage("assembling", 0.8);
         FractureSet& set = result_.set;
         set.name = mesh_.name;
         set.node = mesh_.node;
@@ -177,12 +169,32 @@ class Bake {
         set.materials = mesh_.materials;
         set.materials.push_back(interiorMaterial_);
         const Hierarchy hierarchy = buildHierarchy(components_);
-        const double tile =
-            recipe_.interior.uvMetresPerTile > 0 ? recipe_.interior.uvMetresPerTile : diagonal_ / 4;
-        assembleGeometry({mesh_, surface_, components_, hierarchy, pieces_.faces, hidden_.points,
-                          static_cast<uint32_t>(mesh_.materials.size()), tile > 0 ? tile : 1.0},
-                         set);
-        assemblePhysics(hierarchy, recipe_.physics, 1e-3 * diagonal_, recipe_.threads, set);
+        assembleFragments(hierarchy, recipe_.physics, set);
+        {
+            const StageTimer timer = stage("geometry", 0.75);
+            const double tile = recipe_.interior.uvMetresPerTile > 0
+                                    ? recipe_.interior.uvMetresPerTile
+                                    : diagonal_ / 4;
+            assembleGeometry({mesh_, surface_, components_, hierarchy, pieces_.faces,
+                              hidden_.points, static_cast<uint32_t>(mesh_.materials.size()), tile},
+                             set);
+        }
+        {
+            const StageTimer timer = stage("masses", 0.8);
+            const uint32_t boxed = assembleMasses(hierarchy, recipe_.physics, recipe_.threads, set);
+            if (boxed > 0) {
+                report().findings.push_back({"boxed-inertia",
+                                             "pieces overlap themselves too much to have an "
+                                             "inertia; their bounding box's was taken",
+                                             "", boxed});
+            }
+        }
+        {
+            const StageTimer timer = stage("hulls", 0.85);
+            assembleHulls(recipe_.physics, recipe_.threads, set);
+        }
+        const StageTimer timer = stage("bonds", 0.9);
+        assembleBonds(hierarchy, recipe_.physics, 1e-3 * diagonal_, set);
     }
 
     /// The last proof, over the positions that are written: no fragment that fails it leaves here.

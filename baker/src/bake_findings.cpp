@@ -119,17 +119,17 @@ Result<void> judgeSeparation(const Components& components, BakedObjectReport& re
     return {};
 }
 
-void reportCutting(const PlanarMap& map, const SeamReport& seams, BakedObjectReport& report) {
-    for (const std::string& warning : map.warnings)
+void reportCutting(const CutSurface& cut, BakedObjectReport& report) {
+    for (const std::string& warning : cut.warnings)
         report.findings.push_back({"map", warning, "", 1});
-    if (seams.loose.empty()) return;
+    if (cut.seams.loose.empty()) return;
     report.findings.push_back(
         {"loose-ends", "lines end at a chart border and go on nowhere on its other side",
-         places(seams.loose,
+         places(cut.seams.loose,
                 [](const LooseEnd& e) {
                     return text("UV (%.5f, %.5f)", e.uv.x, e.uv.y) + " at " + at(e.position);
                 }),
-         static_cast<uint32_t>(seams.loose.size())});
+         static_cast<uint32_t>(cut.seams.loose.size())});
 }
 
 void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "interior/piece_mending.h"
-#include "map/planar_map.h"
 #include "sherd/baker/report.h"
 #include "sherd/baker/surface_mesh.h"
 #include "sherd/formats/result.h"
-#include "surface/seam_joining.h"
+#include "surface/cut_surface.h"
 
 namespace sherd {
 
@@ -18,7 +17,7 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
 /// Refuses maps of which a level separates nothing. Fills the levels' component counts.
 Result<void> judgeSeparation(const Components& components, BakedObjectReport& report);
 
-void reportCutting(const PlanarMap& map, const SeamReport& seams, BakedObjectReport& report);
+void reportCutting(const CutSurface& cut, BakedObjectReport& report);
 void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,
                   BakedObjectReport& report);
 

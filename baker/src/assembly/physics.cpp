@@ -37,13 +37,52 @@ std::vector<glm::vec3> usedPositions(const FractureSet& set, uint32_t fragment) 
     return points;
 }
 
-void fillMasses(const Hierarchy& hierarchy, const PhysicsSettings& settings, unsigned threads,
-                FractureSet& set) {
+/// The inertia of the box around the points, its mass spread evenly.
+glm::dmat3 boxInertia(std::span<const glm::vec3> points, double volume) {
+    glm::dvec3 low(points[0]);
+    glm::dvec3 high(points[0]);
+    for (const glm::vec3& p : points) {
+        low = glm::min(low, glm::dvec3(p));
+        high = glm::max(high, glm::dvec3(p));
+    }
+    const glm::dvec3 s = (high - low) * (high - low) * (volume / 12);
+    glm::dmat3 inertia(0.0);
+    inertia[0][0] = s.y + s.z;
+    inertia[1][1] = s.x + s.z;
+    inertia[2][2] = s.x + s.y;
+    return inertia;
+}
+
+}  // namespace
+
+void assembleFragments(const Hierarchy& hierarchy, const PhysicsSettings& settings,
+                       FractureSet& set) {
+    set.fragments.resize(hierarchy.leaves.size());
+    for (size_t f = 0; f < set.fragments.size(); ++f) {
+        Fragment& fragment = set.fragments[f];
+        fragment.parent = hierarchy.parent[f];
+        fragment.children = hierarchy.children[f];
+        fragment.level = hierarchy.level[f];
+        fragment.density = static_cast<float>(settings.density);
+        fragment.friction = static_cast<float>(settings.friction);
+        fragment.restitution = static_cast<float>(settings.restitution);
+        fragment.strength = static_cast<float>(settings.strength);
+        fragment.toughness = static_cast<float>(settings.toughness);
+    }
+    for (const Range level : hierarchy.levels) set.levels.push_back({level, ""});
+}
+
+uint32_t assembleMasses(const Hierarchy& hierarchy, const PhysicsSettings& settings,
+                        unsigned threads, FractureSet& set) {
     const size_t leafCount = hierarchy.leafOrder.size();
     std::vector<MassProperties> leaves(leafCount);
+    std::vector<uint8_t> boxed(leafCount, 0);
     parallelFor(leafCount, threads, [&](size_t rank) {
-        leaves[rank] = massProperties(set.geometry.positions,
-                                      fragmentTriangles(set, hierarchy.fragmentOfRank[rank]));
+        const uint32_t fragment = hierarchy.fragmentOfRank[rank];
+        leaves[rank] = massProperties(set.geometry.positions, fragmentTriangles(set, fragment));
+        if (isPhysical(leaves[rank])) return;
+        boxed[rank] = 1;
+        leaves[rank].inertia = boxInertia(usedPositions(set, fragment), leaves[rank].volume);
     });
     for (size_t f = 0; f < set.fragments.size(); ++f) {
         const MassProperties whole = combine(
@@ -56,9 +95,10 @@ void fillMasses(const Hierarchy& hierarchy, const PhysicsSettings& settings, uns
         fragment.inertiaDiagonal = axes.diagonal;
         fragment.inertiaOrientation = axes.orientation;
     }
+    return static_cast<uint32_t>(std::count(boxed.begin(), boxed.end(), 1));
 }
 
-void fillHulls(const PhysicsSettings& settings, unsigned threads, FractureSet& set) {
+void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSet& set) {
     std::vector<ColliderHull> hulls(set.fragments.size());
     const HullOptions options{settings.hullVertices, static_cast<float>(settings.hullMargin)};
     parallelFor(hulls.size(), threads, [&](size_t f) {
@@ -73,8 +113,8 @@ void fillHulls(const PhysicsSettings& settings, unsigned threads, FractureSet& s
     }
 }
 
-void fillBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings, double sheetTolerance,
-               FractureSet& set) {
+void assembleBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings,
+                   double sheetTolerance, FractureSet& set) {
     std::vector<HiddenTriangle> hidden;
     std::vector<uint32_t> leafFragments = hierarchy.fragmentOfRank;
     std::sort(leafFragments.begin(), leafFragments.end());
@@ -102,28 +142,6 @@ void fillBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings, doub
         bond.toughness = static_cast<float>(settings.toughness);
         if (bond.area > 0) set.bonds.push_back(bond);
     }
-}
-
-}  // namespace
-
-void assemblePhysics(const Hierarchy& hierarchy, const PhysicsSettings& settings,
-                     double sheetTolerance, unsigned threads, FractureSet& set) {
-    set.fragments.resize(hierarchy.leaves.size());
-    for (size_t f = 0; f < set.fragments.size(); ++f) {
-        Fragment& fragment = set.fragments[f];
-        fragment.parent = hierarchy.parent[f];
-        fragment.children = hierarchy.children[f];
-        fragment.level = hierarchy.level[f];
-        fragment.density = static_cast<float>(settings.density);
-        fragment.friction = static_cast<float>(settings.friction);
-        fragment.restitution = static_cast<float>(settings.restitution);
-        fragment.strength = static_cast<float>(settings.strength);
-        fragment.toughness = static_cast<float>(settings.toughness);
-    }
-    for (const Range level : hierarchy.levels) set.levels.push_back({level, ""});
-    fillMasses(hierarchy, settings, threads, set);
-    fillHulls(settings, threads, set);
-    fillBonds(hierarchy, settings, sheetTolerance, set);
 }
 
 }  // namespace sherd

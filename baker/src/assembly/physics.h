@@ -8,9 +8,22 @@
 
 namespace sherd {
 
+/// Fragments' places in the hierarchy and their material numbers, and the levels.
+void assembleFragments(const Hierarchy& hierarchy, const PhysicsSettings& settings,
+                       FractureSet& set);
+
 /// Leaves' masses come from their meshes, every coarser fragment's are the sums over its leaves, so
-/// nothing changes at a swap. Fills Fragment, hulls and bonds.
-void assemblePhysics(const Hierarchy& hierarchy, const PhysicsSettings& settings,
-                     double sheetTolerance, unsigned threads, FractureSet& set);
+/// nothing changes at a swap. A leaf whose mesh overlaps itself so much that its inertia is not
+/// that of any body gets that of its bounding box; returns how many.
+uint32_t assembleMasses(const Hierarchy& hierarchy, const PhysicsSettings& settings,
+                        unsigned threads, FractureSet& set);
+
+/// One convex hull per fragment.
+void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSet& set);
+
+/// Between leaves: walls they share, and sheets that face each other within `sheetTolerance`
+/// metres.
+void assembleBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings,
+                   double sheetTolerance, FractureSet& set);
 
 }  // namespace sherd

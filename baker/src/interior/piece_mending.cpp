@@ -2,50 +2,49 @@
 #include "interior/piece_mending.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "interior/hidden_points.h"
+#include "physics/mass_properties.h"
 
 namespace sherd {
 namespace {
 
-std::vector<double> volumes(const SplitSurface& surface, const Components& components,
-                            std::span<const HiddenFace> faces, std::span<const glm::vec3> hidden) {
-    // Seen from a vertex of the leaf itself: far from the origin nothing cancels.
-    std::vector<glm::dvec3> origin(components.leafCount);
-    for (size_t t = surface.triangles.size(); t-- > 0;) {
-        origin[components.leaf[t]] = surface.positions[surface.triangles[t].v[0]];
-    }
-    std::vector<double> sixfold(components.leafCount, 0);
-    const auto add = [&](uint32_t leaf, const glm::vec3& a, const glm::vec3& b,
-                         const glm::vec3& c) {
-        const glm::dvec3 o = origin[leaf];
-        sixfold[leaf] +=
-            glm::dot(glm::dvec3(a) - o, glm::cross(glm::dvec3(b) - o, glm::dvec3(c) - o));
-    };
+std::vector<MassProperties> measure(const SplitSurface& surface, const Components& components,
+                                    std::span<const HiddenFace> faces,
+                                    std::span<const glm::vec3> hidden) {
+    std::vector<glm::vec3> positions(surface.positions);
+    positions.insert(positions.end(), hidden.begin(), hidden.end());
+    const auto count = static_cast<uint32_t>(surface.positions.size());
+    std::vector<std::vector<std::array<uint32_t, 3>>> pieces(components.leafCount);
     for (size_t t = 0; t < surface.triangles.size(); ++t) {
-        const auto& v = surface.triangles[t].v;
-        add(components.leaf[t], surface.positions[v[0]], surface.positions[v[1]],
-            surface.positions[v[2]]);
+        pieces[components.leaf[t]].push_back(surface.triangles[t].v);
     }
-    const auto place = [&](CornerRef ref) {
-        const uint32_t v = surface.triangles[ref.corner / 3].v[ref.corner % 3];
-        return ref.hidden != 0 ? hidden[v] : surface.positions[v];
-    };
     for (const HiddenFace& face : faces) {
-        add(face.leaf, place(face.corners[0]), place(face.corners[1]), place(face.corners[2]));
+        std::array<uint32_t, 3> ids{};
+        for (size_t k = 0; k < 3; ++k) {
+            const CornerRef ref = face.corners[k];
+            ids[k] =
+                surface.triangles[ref.corner / 3].v[ref.corner % 3] + (ref.hidden != 0 ? count : 0);
+        }
+        pieces[face.leaf].push_back(ids);
     }
-    for (double& v : sixfold) v /= 6;
-    return sixfold;
+    std::vector<MassProperties> result;
+    result.reserve(pieces.size());
+    for (const auto& piece : pieces) result.push_back(massProperties(positions, piece));
+    return result;
 }
 
-std::vector<uint32_t> emptyLeaves(std::span<const double> leafVolumes) {
-    const double total = std::accumulate(leafVolumes.begin(), leafVolumes.end(), 0.0);
+/// Pieces that are no body: without volume, or overlapping themselves so much that no mass has
+/// their inertia.
+std::vector<uint32_t> emptyLeaves(std::span<const MassProperties> leaves) {
+    double total = 0;
+    for (const MassProperties& leaf : leaves) total += leaf.volume;
     std::vector<uint32_t> empty;
-    for (uint32_t leaf = 0; leaf < leafVolumes.size(); ++leaf) {
+    for (uint32_t leaf = 0; leaf < leaves.size(); ++leaf) {
         // Below this share a volume is rounding, and no engine can simulate it.
-        if (!(leafVolumes[leaf] > 1e-9 * total)) empty.push_back(leaf);
+        if (!(leaves[leaf].volume > 1e-9 * total && isPhysical(leaves[leaf])))
+            empty.push_back(leaf);
     }
     return empty;
 }
@@ -75,19 +74,20 @@ MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topolog
                         Components& components) {
     MendedPieces result;
     result.faces = stitch(surface, topology, components);
-    result.leafVolumes = volumes(surface, components, result.faces, hidden);
-    std::vector<uint32_t> empty = emptyLeaves(result.leafVolumes);
+    std::vector<MassProperties> leaves = measure(surface, components, result.faces, hidden);
+    std::vector<uint32_t> empty = emptyLeaves(leaves);
     result.thinned = static_cast<uint32_t>(empty.size());
     for (int round = 0; round < 6 && !empty.empty(); ++round) {
         thin(surface, components, inside, empty, hidden);
-        result.leafVolumes = volumes(surface, components, result.faces, hidden);
-        empty = emptyLeaves(result.leafVolumes);
+        leaves = measure(surface, components, result.faces, hidden);
+        empty = emptyLeaves(leaves);
     }
     while (!empty.empty() && components.leafCount > 1) {
         const std::vector<uint32_t> best = bestNeighbours(surface, topology, components);
         const auto largest = static_cast<uint32_t>(
-            std::max_element(result.leafVolumes.begin(), result.leafVolumes.end()) -
-            result.leafVolumes.begin());
+            std::max_element(leaves.begin(), leaves.end(),
+                             [](const auto& a, const auto& b) { return a.volume < b.volume; }) -
+            leaves.begin());
         std::vector<uint32_t> into(components.leafCount);
         std::iota(into.begin(), into.end(), 0U);
         const std::vector<double> areas = leafAreas(surface, components);
@@ -102,8 +102,8 @@ MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topolog
         if (!changed) break;
         mergeLeaves(components, into);
         result.faces = stitch(surface, topology, components);
-        result.leafVolumes = volumes(surface, components, result.faces, hidden);
-        empty = emptyLeaves(result.leafVolumes);
+        leaves = measure(surface, components, result.faces, hidden);
+        empty = emptyLeaves(leaves);
     }
     return result;
 }

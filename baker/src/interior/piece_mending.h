@@ -12,10 +12,9 @@
 namespace sherd {
 
 struct MendedPieces {
-    uint32_t thinned = 0;             ///< pieces whose hidden points were moved towards the surface
-    std::vector<MergedLeaf> merged;   ///< pieces that had no volume even so
-    std::vector<double> leafVolumes;  ///< after mending
-    std::vector<HiddenFace> faces;    ///< the stitched hidden faces of the final leaves
+    uint32_t thinned = 0;            ///< pieces whose hidden points were moved towards the surface
+    std::vector<MergedLeaf> merged;  ///< pieces that had no volume even so
+    std::vector<HiddenFace> faces;   ///< the stitched hidden faces of the final leaves
 };
 
 /// For a piece of no positive volume its hidden points go back towards the surface by halves, at

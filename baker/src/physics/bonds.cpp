@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -74,7 +75,7 @@ class BondFinder {
         }
     }
 
-    void matchSheets(double tolerance) {
+    void matchSheets(const BondOptions& options) {
         std::vector<uint32_t> free;
         std::vector<Triangle> corners;
         for (uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -82,24 +83,23 @@ class BondFinder {
             free.push_back(t);
             corners.push_back(triangles_[t].vertices);
         }
-        if (free.empty() || !(tolerance > 0)) return;
+        if (free.empty() || !(options.sheetTolerance > 0)) return;
         const TriangleBvh bvh(positions_, corners);
-        uint32_t hint = 0;
-        for (const uint32_t t : free) {
-            const auto faces = [&](uint32_t other) {
-                const uint32_t u = free[other];
-                return triangles_[u].leaf != triangles_[t].leaf &&
-                       glm::dot(facets_[t].normal, facets_[u].normal) < kOpposed;
-            };
-            // Neighbours in the list are mostly neighbours in space: the last partner bounds the
-            // search, and does not change what it finds.
-            const glm::dvec3& from = facets_[t].centroid;
-            const double reach = faces(hint) ? distanceTo(from, free[hint]) : tolerance;
-            const ClosestPoint found =
-                bvh.closest(from, std::min(tolerance, reach * (1 + 1e-9)), faces);
-            if (found.triangle == ClosestPoint::kNone) continue;
-            hint = found.triangle;
-            add(t, triangles_[free[found.triangle]].leaf, 0.5, 0.5 * (from + found.point));
+        std::vector<ClosestPoint> partners(free.size());
+        const size_t workers =
+            std::clamp<size_t>(free.size() / 4096, 1, std::max(options.threads, 1U));
+        std::vector<std::thread> others;
+        const auto run = [&](size_t w) {
+            findPartners(bvh, options.sheetTolerance, free, w * free.size() / workers,
+                         (w + 1) * free.size() / workers, partners);
+        };
+        for (size_t w = 1; w < workers; ++w) others.emplace_back(run, w);
+        run(0);
+        for (std::thread& other : others) other.join();
+        for (size_t i = 0; i < free.size(); ++i) {
+            if (partners[i].triangle == ClosestPoint::kNone) continue;
+            add(free[i], triangles_[free[partners[i].triangle]].leaf, 0.5,
+                0.5 * (facets_[free[i]].centroid + partners[i].point));
         }
     }
 
@@ -150,6 +150,26 @@ class BondFinder {
         return keys;
     }
 
+    /// The opposed triangles nearest to those of free[first, last). Neighbours in the list are
+    /// mostly neighbours in space: the last partner bounds the search, and does not change what it
+    /// finds.
+    void findPartners(const TriangleBvh& bvh, double tolerance, const std::vector<uint32_t>& free,
+                      size_t first, size_t last, std::vector<ClosestPoint>& partners) const {
+        uint32_t hint = 0;
+        for (size_t i = first; i < last; ++i) {
+            const uint32_t t = free[i];
+            const auto faces = [&](uint32_t other) {
+                const uint32_t u = free[other];
+                return triangles_[u].leaf != triangles_[t].leaf &&
+                       glm::dot(facets_[t].normal, facets_[u].normal) < kOpposed;
+            };
+            const glm::dvec3& from = facets_[t].centroid;
+            const double reach = faces(hint) ? distanceTo(from, free[hint]) : tolerance;
+            partners[i] = bvh.closest(from, std::min(tolerance, reach * (1 + 1e-9)), faces);
+            if (partners[i].triangle != ClosestPoint::kNone) hint = partners[i].triangle;
+        }
+    }
+
     double distanceTo(const glm::dvec3& p, uint32_t t) const {
         const Triangle& v = triangles_[t].vertices;
         return glm::distance(
@@ -191,7 +211,7 @@ std::vector<LeafBond> findBonds(std::span<const glm::vec3> positions,
                                 const BondOptions& options) {
     BondFinder finder(positions, triangles);
     finder.matchWalls();
-    finder.matchSheets(options.sheetTolerance);
+    finder.matchSheets(options);
     return finder.bonds();
 }
 

@@ -17,6 +17,7 @@ struct HiddenTriangle {
 
 struct BondOptions {
     double sheetTolerance = 0;  ///< metres: how far apart facing sheets may be and still hold
+    unsigned threads = 1;       ///< does not change the result
 };
 
 /// Two leaves and the hidden area they share.

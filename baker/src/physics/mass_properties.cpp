@@ -64,6 +64,13 @@ MassProperties massProperties(std::span<const glm::vec3> positions,
     return out;
 }
 
+bool isPhysical(const MassProperties& mass) {
+    const glm::dvec3 d = principalAxes(mass.inertia).diagonal;
+    const double largest = std::max({d.x, d.y, d.z});
+    return mass.volume > 0 && std::min({d.x, d.y, d.z}) > 0 &&
+           largest <= (d.x + d.y + d.z - largest) * (1 + 1e-6);
+}
+
 MassProperties combine(std::span<const MassProperties> parts) {
     MassProperties out;
     if (parts.empty()) return out;

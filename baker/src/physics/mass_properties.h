@@ -22,6 +22,10 @@ MassProperties massProperties(std::span<const glm::vec3> positions,
                               std::span<const std::array<uint32_t, 3>> triangles);
 
 /// The body made of all parts together.
+/// Whether some body has this mass: volume and moments positive, no moment above the sum of the
+/// others.
+bool isPhysical(const MassProperties& mass);
+
 MassProperties combine(std::span<const MassProperties> parts);
 
 struct PrincipalAxes {

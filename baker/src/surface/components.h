@@ -16,7 +16,7 @@ namespace sherd {
 /// of levels 1 to k, so components nest. Level 0 is the whole object.
 struct Components {
     uint32_t levels = 0;
-    uint32_t parts = 0;                        ///< connected parts of the uncut surface
+    uint32_t parts = 0;          ///< connected parts of the uncut surface
     std::vector<uint32_t> leaf;  ///< per triangle: its component at the deepest level
     uint32_t leafCount = 0;      ///< leaves are numbered by their first triangle
     std::vector<std::vector<uint32_t>> ofLeaf;  ///< [k - 1][leaf]: the component at level k

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "surface/cut_surface.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "surface/components.h"
+#include "surface/triangulation.h"
+
+namespace sherd {
+namespace {
+
+double areaOf(const std::vector<glm::vec3>& positions, const std::array<uint32_t, 3>& v) {
+    const glm::dvec3 a = positions[v[0]];
+    return 0.5 * glm::length(
+                     glm::cross(glm::dvec3(positions[v[1]]) - a, glm::dvec3(positions[v[2]]) - a));
+}
+
+}  // namespace
+
+Result<CutSurface> cutSurface(const SurfaceMesh& mesh, const MeshTopology& topology,
+                              const FractureMap& map, const SeamOptions& options) {
+    const Result<std::vector<UvTriangle>> uv = snapUv(mesh);
+    if (!uv) return tl::unexpected(uv.error());
+    Result<PlanarMap> planar = planarise(map);
+    if (!planar) return tl::unexpected(planar.error());
+    const std::vector<Cut> cuts = matchAll(*planar, *uv, topology.degenerate);
+    ResolvedEdges edges =
+        resolveEdges(topology, mesh.triangles, static_cast<uint32_t>(mesh.positions.size()), cuts);
+    CutSurface result;
+    result.seams =
+        joinAcrossSeams(topology, mesh.positions, mesh.triangles, *uv, cuts, options, edges);
+    result.warnings = std::move(planar->warnings);
+    Result<SplitSurface> split =
+        splitSurface({mesh.positions, mesh.triangles, topology, *uv, *planar, cuts, edges});
+    if (!split) return tl::unexpected(split.error());
+    result.surface = std::move(*split);
+    result.topology = buildTopology(result.surface.positions, vertexTriangles(result.surface));
+    return result;
+}
+
+bool isFaithfulSplit(const SurfaceMesh& mesh, const MeshTopology& before, const CutSurface& cut,
+                     double tolerance) {
+    std::vector<double> area(mesh.triangles.size(), 0);
+    double total = 0;
+    for (const SplitTriangle& t : cut.surface.triangles)
+        area[t.source] += areaOf(cut.surface.positions, t.v);
+    for (size_t t = 0; t < area.size(); ++t) {
+        if (before.degenerate[t] == 0) total += areaOf(mesh.positions, mesh.triangles[t]);
+    }
+    for (size_t t = 0; t < area.size(); ++t) {
+        if (before.degenerate[t] != 0) continue;
+        if (std::abs(area[t] - areaOf(mesh.positions, mesh.triangles[t])) > tolerance * total)
+            return false;
+    }
+    for (const VertexOrigin& origin : cut.surface.origins) {
+        const glm::dvec3& w = origin.weights;
+        if (w.x < 0 || w.y < 0 || w.z < 0 || std::abs(w.x + w.y + w.z - 1) > 1e-12) return false;
+    }
+    if (before.boundaryEdges + before.nonManifoldEdges > 0) return true;
+    return cut.topology.boundaryEdges + cut.topology.nonManifoldEdges == 0;
+}
+
+}  // namespace sherd
