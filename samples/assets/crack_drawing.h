@@ -10,11 +10,11 @@
 namespace sherd::samples {
 
 struct DrawOptions {
-    double tolerance = 0.0008;  ///< UV: detail finer than this is dropped
+    double tolerance = 0.0005;  ///< UV: detail finer than this is dropped
     double roundness = 0.35;    ///< 0: straight strokes, 1: fully rounded corners
     double pastRim =
         0.0005;  ///< UV: lines run this far beyond their chart, to cross its rim surely
-    double pastJunction = 0.002;  ///< UV: and this far beyond the coarser crack they end on
+    double pastJunction = 0.0012;  ///< UV: and this far beyond the coarser crack they end on
 };
 
 /// An SVG whose viewBox spans UV [0, 1]^2, v down. `level` names the layer.

@@ -193,7 +193,7 @@ glm::dvec3 paintVase(const SurfacePoint& point) {
 
 CrackPattern vaseCracks(const Mesh& mesh) {
     CrackPattern pattern;
-    pattern.options = {{1, 0.85, 1}, 0.034, 0.075, 5, 4, 12};
+    pattern.options = {{1, 0.85, 1}, 0.034, 0.075, 5, 4, 9};
     pattern.level1 = {{{0.085, 0.270, 0.035}, 0},   {{-0.020, 0.275, 0.085}, 0},
                       {{-0.075, 0.260, -0.055}, 0}, {{0.030, 0.285, -0.070}, 0},
                       {{0.065, 0.090, -0.025}, 0},  {{-0.060, 0.100, 0.035}, 0}};

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+#include "scene_renderer.h"
+#include "sherd/formats/result.h"
+
+namespace sherd::samples {
+
+/// The picture at `width` pixels, each the mean of what it covers.
+Picture shrink(const Picture& picture, uint32_t width);
+
+/// Pictures of one size in rows of `columns`, with a thin margin.
+Picture contactSheet(std::span<const Picture> pictures, uint32_t columns);
+
+Result<void> writePng(const std::filesystem::path& path, const Picture& picture);
+
+/// An MP4 written by the `ffmpeg` command, fed raw pictures.
+class VideoWriter {
+  public:
+    static Result<std::unique_ptr<VideoWriter>> open(const std::filesystem::path& path,
+                                                     uint32_t width, uint32_t height,
+                                                     uint32_t framesPerSecond);
+    ~VideoWriter();
+    VideoWriter(const VideoWriter&) = delete;
+    VideoWriter& operator=(const VideoWriter&) = delete;
+
+    Result<void> add(const Picture& picture);
+    Result<void> finish();
+
+  private:
+    VideoWriter() = default;
+
+    std::filesystem::path path_;
+    std::FILE* pipe_ = nullptr;
+};
+
+}  // namespace sherd::samples
