@@ -132,6 +132,22 @@ TEST_CASE("a sheet facing two leaves is shared between them") {
     CHECK(bonds[0].area + bonds[1].area == doctest::Approx(1));
 }
 
+TEST_CASE("the number of threads changes no bit") {
+    Scene scene;
+    scene.add(sheet(0, 60, true), 0);
+    scene.add(sheet(0.01F, 50, false), 1);
+    scene.add(sheet(0.02F, 40, true), 1);
+    scene.add(sheet(0.03F, 60, false), 2);
+    const std::vector<LeafBond> one = scene.bonds(0.5);
+    const std::vector<LeafBond> four = findBonds(scene.positions, scene.triangles, {0.5, 4});
+    REQUIRE(one.size() == four.size());
+    for (size_t i = 0; i < one.size(); ++i) {
+        CHECK(one[i].area == four[i].area);
+        CHECK(one[i].centroid == four[i].centroid);
+        CHECK(one[i].normal == four[i].normal);
+    }
+}
+
 TEST_CASE("a wall that closes on itself has an area and some unit normal") {
     Scene scene;
     test::Shape stone = test::sphere(6, {0, 0, 0}, 1);
