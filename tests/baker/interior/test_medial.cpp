@@ -86,6 +86,7 @@ TEST_CASE("Voronoi vertices of degenerate sites are errors, never the end of the
     const std::vector<glm::dvec3> same(10, glm::dvec3(0.5));
     CHECK_FALSE(voronoiVertices(same).has_value());
     std::vector<glm::dvec3> line;
+    line.reserve(10);
     for (int i = 0; i < 10; ++i) line.emplace_back(i * 0.1, 0, 0);
     const Result<VoronoiVertices> none = voronoiVertices(line);
     REQUIRE_FALSE(none.has_value());
@@ -94,6 +95,7 @@ TEST_CASE("Voronoi vertices of degenerate sites are errors, never the end of the
 
 TEST_CASE("the eight corners of a cube have one Voronoi vertex, its centre") {
     std::vector<glm::dvec3> corners;
+    corners.reserve(8);
     for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2);
     const Result<VoronoiVertices> voronoi = voronoiVertices(corners);
     REQUIRE(voronoi.has_value());
