@@ -387,7 +387,9 @@ void readGeometry(Reader& in, const json& fracture, const std::string& parent, F
         if (semantic == "POSITION") continue;
         Attribute attribute;
         attribute.semantic = semantic;
-        attribute.components = in.componentsOf(accessor, where + "/attributes/" + semantic);
+        std::string place = where;
+        place.append("/attributes/").append(semantic);
+        attribute.components = in.componentsOf(accessor, place);
         attribute.values = in.floats(attributes, semantic.c_str(), where + "/attributes", vertices,
                                      attribute.components);
         if (!in.ok()) return;
