@@ -6,19 +6,18 @@
 // the mean of the neighbours' inner points (keeps the sheet whole), else the tangent ball of the
 // original surface, else half the way back to the vertex, a quarter..., else the vertex itself.
 //
-// Measured on 16 real meshes (182 to 59,664 triangles): mean share of the object in no piece / in
-// two pieces, were every triangle a piece (20,000 points each):
-//   this                                     0.68 % / 0.29 %
-//   10 steps before instead of 12            0.79 % / 0.34 %   15: 0.56 / 0.31   20: 2.41 / 0.22
-//   (from 15 on small parts shrink to points: a pillar of many parts goes from 0.4 % to 31 %)
-//   no neighbours' mean, tangent ball        1.44 % / 0.84 %
-//   the same, poles only among inner ones    1.05 % / 0.55 %
-//   balls along the normal, not poles        0.55 % / 0.87 %   twice as bad on scans
-//   poles with clearance >= 0.3 radius only  5.6 % / 0.8 %
-//   cotangent weights                        1.65 % / 0.98 %
-//   Taubin instead of Laplace before         4.2 % / 1.4 %
-//   no smoothing                             9.1 % / 0.6 %
-//   the thesis' 10 before and 10 after       4.0 % / 0.03 %
+// Measured on 16 meshes (48 to 59,664 triangles, 4 of them open): mean share of the object in no
+// piece / in two pieces, were every triangle a piece (20,000 points each):
+//   this: 12 steps                              0.68 % / 0.29 %
+//   10 steps 0.79 / 0.34, 15 steps 0.56 / 0.31, 20 steps 2.41 / 0.22 (one pillar of many small
+//   parts alone goes from 0.3 to 31 %), 30 steps 0.53 / 0.34; more steps, more inverted prisms
+//   the thesis' 10 before and 10 after          4.0 % / 0.03 %
+// With 10 steps and the neighbours' mean:
+//   balls along the normal instead of poles     0.55 % / 0.87 %, worse on scans (skull 1.4 / 0.2)
+//   only poles with clearance >= 0.1 radius     2.7 % / 0.3 %
+// With 10 steps and the tangent ball instead of the neighbours' mean 1.44 % / 0.84 %, and then with
+// poles sought only among the inner Voronoi vertices 1.05 % / 0.55 %; compared to the latter:
+//   cotangent weights 1.65 / 0.98, Taubin instead of Laplace 4.2 / 1.4, no smoothing 9.1 / 0.6
 // Skull (41,000 triangles): 0.78 % / 0.00 %; 330 ms in Qhull and 60 ms of the rest, one thread.
 #include "interior/medial.h"
 
