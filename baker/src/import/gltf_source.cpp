@@ -180,9 +180,10 @@ class Reducer {
             }
         } else if (value.is_structured()) {
             for (auto it = value.begin(); it != value.end(); ++it) {
-                const std::string key =
-                    value.is_array() ? std::to_string(it - value.begin()) : it.key();
-                auto ok = checkIntegers(*it, pointer + "/" + key);
+                std::string inner = pointer;
+                inner += '/';
+                inner += value.is_array() ? std::to_string(it - value.begin()) : it.key();
+                auto ok = checkIntegers(*it, inner);
                 if (!ok) return ok;
             }
         }

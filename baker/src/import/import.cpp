@@ -2,6 +2,7 @@
 #include "sherd/baker/import.h"
 
 #include <algorithm>
+#include <cctype>
 #include <exception>
 #include <fstream>
 

@@ -47,8 +47,9 @@ glm::dmat3 snapIdentity(const glm::dmat3& deform) {
 std::optional<NodeTransform> fromMatrix(const std::vector<double>& values) {
     NodeTransform local;
     glm::dmat3 linear;
-    for (int c = 0; c < 3; ++c) {
-        for (int r = 0; r < 3; ++r) linear[c][r] = values[static_cast<size_t>(4 * c + r)];
+    for (size_t i = 0; i < 12; ++i) {
+        const auto row = static_cast<int>(i % 4);
+        if (row < 3) linear[static_cast<int>(i / 4)][row] = values[i];
     }
     const auto rotation = nearestRotation(linear);
     if (!rotation) return std::nullopt;
@@ -150,14 +151,15 @@ Result<NodeTransform> globalTransform(const GltfSource& source, const std::vecto
     std::vector<int> chain;
     for (int n = node; n != -1; n = parents[static_cast<size_t>(n)]) chain.push_back(n);
     NodeTransform global;
-    for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
-        const auto local = localTransform(source.model.nodes[static_cast<size_t>(*it)]);
+    std::reverse(chain.begin(), chain.end());
+    for (const int link : chain) {
+        const auto local = localTransform(source.model.nodes[static_cast<size_t>(link)]);
         if (local) global = compose(global, *local);
         if (!local || !isUsable(global)) {
             return fail(ErrorCode::invalidData,
                         "the node's transform flattens the object or is not finite; apply the "
                         "transform in the modelling tool and export again",
-                        source.where("/nodes/" + std::to_string(*it)));
+                        source.where("/nodes/" + std::to_string(link)));
         }
     }
     return global;

@@ -140,6 +140,7 @@ Result<std::vector<MeshPart>> makeParts(const ObjFile& file, const std::string& 
     }
     PartMaker maker(file);
     std::vector<MeshPart> parts;
+    parts.reserve(faces.size());
     for (const auto& [key, list] : faces) parts.push_back(maker.make(key, list));
     return parts;
 }
