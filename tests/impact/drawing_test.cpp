@@ -12,29 +12,30 @@ namespace {
 
 /// Every leaf of every object is shown exactly once: by itself or by one ancestor.
 bool showsEverythingOnce(std::span<const FragmentPose> poses, size_t objects) {
-    std::map<uint32_t, std::vector<int>> shown;
+    struct Shown {
+        const Asset* asset = nullptr;
+        std::vector<int> times;  ///< per fragment
+    };
+    std::map<uint32_t, Shown> shown;
     for (const FragmentPose& pose : poses) {
         const Asset& asset = *pose.asset;
-        auto& counts = shown[pose.object.index];
-        counts.resize(asset.fragmentCount());
+        Shown& object = shown[pose.object.index];
+        object.asset = &asset;
+        object.times.resize(asset.fragmentCount());
         for (uint32_t leaf = 0; leaf < asset.fragmentCount(); ++leaf) {
             if (asset.fragment(leaf).children.count > 0) continue;
             for (auto f = int32_t(leaf); f >= 0; f = asset.fragment(uint32_t(f)).parent) {
-                if (uint32_t(f) == pose.fragment) ++counts[leaf];
+                if (uint32_t(f) == pose.fragment) ++object.times[leaf];
             }
         }
     }
-    if (shown.size() != objects) return false;
-    for (const auto& [object, counts] : shown) {
-        const Asset* asset = nullptr;
-        for (const FragmentPose& pose : poses) {
-            if (pose.object.index == object) asset = pose.asset;
-        }
-        for (uint32_t f = 0; f < asset->fragmentCount(); ++f) {
-            if (asset->fragment(f).children.count == 0 && counts[f] != 1) return false;
+    for (const auto& [index, object] : shown) {
+        for (uint32_t f = 0; f < object.times.size(); ++f) {
+            const bool leaf = object.asset->fragment(f).children.count == 0;
+            if (leaf && object.times[f] != 1) return false;
         }
     }
-    return true;
+    return shown.size() == objects;
 }
 
 }  // namespace

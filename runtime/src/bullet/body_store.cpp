@@ -22,7 +22,7 @@ std::shared_ptr<FragmentShapes> BodyStore::shapesOf(const std::shared_ptr<const 
     return shapes_.back();
 }
 
-ObjectId BodyStore::spawn(std::shared_ptr<const Asset> asset, const RigidPose& pose,
+ObjectId BodyStore::spawn(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
                           const SpawnOptions& options) {
     auto shapes = shapesOf(asset);
     uint32_t index = uint32_t(objects_.size());

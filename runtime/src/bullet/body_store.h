@@ -40,7 +40,7 @@ class BodyStore {
     BodyStore(const BodyStore&) = delete;
     BodyStore& operator=(const BodyStore&) = delete;
 
-    ObjectId spawn(std::shared_ptr<const Asset> asset, const RigidPose& pose,
+    ObjectId spawn(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
                    const SpawnOptions& options);
     void remove(uint32_t object);
 

@@ -75,13 +75,13 @@ DestructionWorld::DestructionWorld(btDynamicsWorld& world, const WorldOptions& o
 
 DestructionWorld::~DestructionWorld() = default;
 
-Result<ObjectId> DestructionWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose& pose,
-                                         const SpawnOptions& options) {
+Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& asset,
+                                         const RigidPose& pose, const SpawnOptions& options) {
     if (auto ok = checkSpawn(asset, pose, options); !ok) return tl::unexpected<Error>(ok.error());
     SpawnOptions combined = options;
     combined.damage = combine(impl_->settings.damage, options.damage);
     try {
-        return impl_->store.spawn(std::move(asset), pose, combined);
+        return impl_->store.spawn(asset, pose, combined);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::limitExceeded, "not enough memory for the object");
     }

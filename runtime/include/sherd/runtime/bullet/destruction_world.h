@@ -62,8 +62,9 @@ class DestructionWorld {
     DestructionWorld& operator=(const DestructionWorld&) = delete;
 
     /// Puts an intact object into the world. `pose` places the asset's object frame; the place it
-    /// had in its own scene is `asset->set().restPose`.
-    Result<ObjectId> spawn(std::shared_ptr<const Asset> asset, const RigidPose& pose,
+    /// had in its own scene is `asset->set().restPose`. The first spawn of an asset makes its
+    /// shapes; they and the asset are kept for as long as this DestructionWorld lives.
+    Result<ObjectId> spawn(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
                            const SpawnOptions& options = {});
 
     /// Takes the object and all its fragments out. False when the handle is no longer valid.
