@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include "sherd/baker/bake.h"
+#include "sherd/baker/recipe.h"
+
+using namespace sherd;
+
+namespace {
+
+Error errorOf(std::string_view text) {
+    const Result<Recipe> recipe = parseRecipe(text, "r.json");
+    REQUIRE_FALSE(recipe.has_value());
+    return recipe.error();
+}
+
+}  // namespace
+
+TEST_CASE("a recipe may hold comments and sets what it names") {
+    const Result<Recipe> recipe = parseRecipe(
+        R"({ // a wall
+            "levels": [{"map": "a.svg", "name": "chunks"}, {"map": "b.svg"}],
+            "physics": {"density": 2400, "hullVertices": 24},
+            "interior": {"type": "medial", "thesis": true, "material": "stone"},
+            "allowOpen": true })",
+        "r.json");
+    REQUIRE(recipe.has_value());
+    CHECK(recipe->levels.size() == 2);
+    CHECK(recipe->levels[0].name == "chunks");
+    CHECK(recipe->physics.density == 2400);
+    CHECK(recipe->physics.hullVertices == 24);
+    CHECK(recipe->interior.thesis);
+    CHECK(recipe->interior.material == "stone");
+    CHECK(recipe->allowOpen);
+}
+
+TEST_CASE("a bad recipe is refused with the pointer of the culprit and what would be right") {
+    CHECK(errorOf("{").code == ErrorCode::malformed);
+    CHECK(errorOf("[]").where == "r.json#");
+    const Error unknown = errorOf(R"({"physics": {"weight": 1}})");
+    CHECK(unknown.where == "r.json#/physics/weight");
+    CHECK(unknown.message.find("density") != std::string::npos);
+    CHECK(errorOf(R"({"physics": {"density": -1}})").where == "r.json#/physics/density");
+    CHECK(errorOf(R"({"physics": {"density": "heavy"}})").where == "r.json#/physics/density");
+    CHECK(errorOf(R"({"physics": {"hullVertices": 3.5}})").where == "r.json#/physics/hullVertices");
+    CHECK(errorOf(R"({"levels": []})").where == "r.json#/levels");
+    CHECK(errorOf(R"({"levels": [{"name": "x"}]})").where == "r.json#/levels/0");
+    CHECK(errorOf(R"({"interior": {"type": "jelly"}})").where == "r.json#/interior/type");
+}
+
+TEST_CASE("a recipe that is not there is said to be missing") {
+    const Result<Recipe> recipe = readRecipe("no/such/recipe.json");
+    REQUIRE_FALSE(recipe.has_value());
+    CHECK(recipe.error().code == ErrorCode::fileNotFound);
+}
+
+TEST_CASE("with several maps the order of files is the order of levels, with one its layers are") {
+    FractureMap a;
+    a.lines.push_back({{{0, 0}, {1, 1}}, 3, "a"});
+    a.lines.push_back({{{0, 0}, {1, 0}}, 5, "a"});
+    const FractureMap alone = combineMaps({a});
+    CHECK(alone.lines[0].level == 1);  // levels without lines are closed up
+    CHECK(alone.lines[1].level == 2);
+    const FractureMap both = combineMaps({a, a});
+    CHECK(both.lines[1].level == 1);
+    CHECK(both.lines[3].level == 2);
+}
