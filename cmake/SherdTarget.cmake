@@ -6,6 +6,11 @@ function(sherd_target target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden
                                              VISIBILITY_INLINES_HIDDEN ON)
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # g++ 12 drops the rounding of double -> float -> double when it vectorises straight-line code (seen
+    # at -O2 on two or more components), so that a point tested as a float is not the float stored.
+    target_compile_options(${target} PRIVATE -fno-tree-slp-vectorize)
+  endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # GCC 12 reports `"text" + std::string` as overlapping memcpy (GCC bug 105329).
     target_compile_options(${target} PRIVATE -Wno-restrict)

@@ -119,31 +119,100 @@ void printTable(const BakeReport& report) {
     }
 }
 
-int runBake(const BakeArguments& arguments) {
+/// The report beside the bake: both files or neither, as far as the disk allows.
+class ReportFile {
+  public:
+    explicit ReportFile(std::filesystem::path path) : path_(std::move(path)) {}
+    ReportFile(const ReportFile&) = delete;
+    ReportFile& operator=(const ReportFile&) = delete;
+    ~ReportFile() {
+        std::error_code ignored;
+        if (!staged_.empty()) std::filesystem::remove(staged_, ignored);
+    }
+
+    Result<void> stage(std::string text) {
+        text_ = std::move(text);
+        if (path_.empty() || isDevice()) return {};
+        std::error_code ignored;
+        target_ = std::filesystem::weakly_canonical(path_, ignored);
+        if (target_.empty()) target_ = path_;
+        staged_ = target_.string() + ".part";
+        if (auto written = write(staged_); !written)
+            return fail(written.error().code, written.error().message, path_.string());
+        return {};
+    }
+
+    Result<void> commit() {
+        if (path_.empty()) return {};
+        if (staged_.empty()) return write(path_);
+        std::error_code code;
+        std::filesystem::rename(staged_, target_, code);
+        if (code) return fail(ErrorCode::fileWrite, "the report: " + code.message(), path_);
+        staged_.clear();
+        return {};
+    }
+
+  private:
+    bool isDevice() const {
+        std::error_code ignored;
+        return std::filesystem::exists(path_, ignored) &&
+               !std::filesystem::is_regular_file(path_, ignored);
+    }
+    Result<void> write(const std::filesystem::path& path) const {
+        return writeFileWhole(path, {reinterpret_cast<const uint8_t*>(text_.data()), text_.size()});
+    }
+
+    std::filesystem::path path_, target_, staged_;
+    std::string text_;
+};
+
+/// A bake may take long: what cannot be written at its end is said at its start.
+Result<void> checkOutputs(const BakeArguments& arguments) {
+    if (auto writable = checkWritable(arguments.output); !writable) return writable;
+    if (arguments.report.empty()) return {};
+    std::error_code ignored;
+    if (std::filesystem::weakly_canonical(arguments.report, ignored) ==
+        std::filesystem::weakly_canonical(arguments.output, ignored)) {
+        return fail(ErrorCode::badArgument, "the report would overwrite the baked file",
+                    arguments.report.string());
+    }
+    return checkWritable(arguments.report);
+}
+
+Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& progress) {
     const Result<Recipe> recipe = gatherRecipe(arguments);
-    if (!recipe) return printError(recipe.error());
-    ProgressLine line(arguments.quiet);
-    const auto progress = [&line](const std::string& stage, double share) {
-        line.show(stage, share);
-    };
+    if (!recipe) return tl::unexpected(recipe.error());
+    if (auto writable = checkOutputs(arguments); !writable) return tl::unexpected(writable.error());
     progress("reading", 0);
     const Result<Model> model = importModel(arguments.model, arguments.import);
-    if (!model) return printError(model.error());
+    if (!model) return tl::unexpected(model.error());
     const Result<FractureMap> map = readMaps(*recipe);
-    if (!map) return printError(map.error());
+    if (!map) return tl::unexpected(map.error());
     Result<BakedFile> baked = bakeModel(*model, *map, *recipe, progress);
+    if (!baked) {
+        Error error = baked.error();
+        error.where = arguments.model.string() + (error.where.empty() ? "" : ", ") + error.where;
+        return tl::unexpected(std::move(error));
+    }
+    baked->report.source = arguments.model.string();
+    return baked;
+}
+
+Result<void> writeFiles(const BakeArguments& arguments, const BakedFile& baked) {
+    ReportFile report(arguments.report);
+    if (auto staged = report.stage(toJson(baked.report)); !staged) return staged;
+    if (auto written = writeFileWhole(arguments.output, baked.glb); !written) return written;
+    return report.commit();
+}
+
+int runBake(const BakeArguments& arguments) {
+    ProgressLine line(arguments.quiet);
+    const Result<BakedFile> baked = bakeFiles(
+        arguments, [&line](const std::string& stage, double share) { line.show(stage, share); });
     line.finish();
     if (!baked) return printError(baked.error());
-    baked->report.source = arguments.model.string();
-    if (const auto written = writeFileWhole(arguments.output, baked->glb); !written)
+    if (const auto written = writeFiles(arguments, *baked); !written)
         return printError(written.error());
-    if (!arguments.report.empty()) {
-        const std::string json = toJson(baked->report);
-        const auto* bytes = reinterpret_cast<const uint8_t*>(json.data());
-        if (const auto written = writeFileWhole(arguments.report, {bytes, json.size()}); !written) {
-            return printError(written.error());
-        }
-    }
     if (!arguments.quiet) printTable(baked->report);
     return kExitOk;
 }

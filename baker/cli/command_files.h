@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <unistd.h>
+
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -26,6 +28,27 @@ inline Result<std::vector<uint8_t>> readBytes(const std::filesystem::path& path)
                                std::istreambuf_iterator<char>());
     if (!in) return fail(ErrorCode::fileRead, "the file cannot be read", path.string());
     return bytes;
+}
+
+/// Whether a file could take this place, as far as that shows without trying.
+inline Result<void> checkWritable(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        return fail(ErrorCode::fileWrite, "this is a directory; name a file in it", path.string());
+    const std::filesystem::path folder =
+        path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    if (!std::filesystem::exists(folder, ignored))
+        return fail(ErrorCode::fileWrite,
+                    "cannot write the file: its directory does not exist; create it first",
+                    path.string());
+    if (!std::filesystem::is_directory(folder, ignored))
+        return fail(ErrorCode::fileWrite,
+                    "cannot write the file: " + folder.string() + " is not a directory",
+                    path.string());
+    if (::access(folder.c_str(), W_OK) != 0 && ::access(path.c_str(), W_OK) != 0)
+        return fail(ErrorCode::fileWrite,
+                    "cannot write the file: no permission; choose another place", path.string());
+    return {};
 }
 
 /// Says on stderr what went wrong, and returns its exit code.

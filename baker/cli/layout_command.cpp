@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "command_files.h"
 #include "exit_codes.h"
 #include "sherd/baker/import.h"
 #include "sherd/baker/layout.h"
@@ -20,15 +21,11 @@ struct LayoutArguments {
     bool texture = true;
 };
 
-int report(const Error& error) {
-    std::fprintf(stderr, "error: %s%s%s\n", error.message.c_str(),
-                 error.where.empty() ? "" : "\n  at ", error.where.c_str());
-    return exitCodeOf(error.code);
-}
-
 int runLayout(const LayoutArguments& arguments) {
+    if (auto writable = checkWritable(arguments.output); !writable)
+        return printError(writable.error());
     const Result<Model> model = importModel(arguments.model, arguments.import);
-    if (!model) return report(model.error());
+    if (!model) return printError(model.error());
 
     std::vector<std::string> warnings;
     LayoutOptions options = arguments.layout;
@@ -37,11 +34,15 @@ int runLayout(const LayoutArguments& arguments) {
         options.texture = baseColorTexture(model->document, mesh, warnings);
     }
     const Result<Layout> layout = makeLayoutSvg(model->meshes, options);
-    if (!layout) return report(layout.error());
+    if (!layout) {
+        Error error = layout.error();
+        error.where = arguments.model + (error.where.empty() ? "" : ", ") + error.where;
+        return printError(error);
+    }
 
     const auto* bytes = reinterpret_cast<const uint8_t*>(layout->svg.data());
     const Result<void> written = writeFileWhole(arguments.output, {bytes, layout->svg.size()});
-    if (!written) return report(written.error());
+    if (!written) return printError(written.error());
 
     warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
     for (const std::string& warning : warnings)

@@ -194,7 +194,7 @@ class Bake {
             assembleHulls(recipe_.physics, recipe_.threads, set);
         }
         const StageTimer timer = stage("bonds", 0.9);
-        assembleBonds(hierarchy, recipe_.physics, 1e-3 * diagonal_, set);
+        assembleBonds(hierarchy, recipe_.physics, 1e-3 * diagonal_, recipe_.threads, set);
     }
 
     /// The last proof, over the positions that are written: no fragment that fails it leaves here.

@@ -114,7 +114,7 @@ void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSe
 }
 
 void assembleBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings,
-                   double sheetTolerance, FractureSet& set) {
+                   double sheetTolerance, unsigned threads, FractureSet& set) {
     std::vector<HiddenTriangle> hidden;
     std::vector<uint32_t> leafFragments = hierarchy.fragmentOfRank;
     std::sort(leafFragments.begin(), leafFragments.end());
@@ -131,7 +131,8 @@ void assembleBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings,
             }
         }
     }
-    for (const LeafBond& leafBond : findBonds(set.geometry.positions, hidden, {sheetTolerance})) {
+    for (const LeafBond& leafBond :
+         findBonds(set.geometry.positions, hidden, {sheetTolerance, threads})) {
         Bond bond;
         bond.a = static_cast<int32_t>(leafBond.a);
         bond.b = static_cast<int32_t>(leafBond.b);

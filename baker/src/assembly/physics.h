@@ -24,6 +24,6 @@ void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSe
 /// Between leaves: walls they share, and sheets that face each other within `sheetTolerance`
 /// metres.
 void assembleBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings,
-                   double sheetTolerance, FractureSet& set);
+                   double sheetTolerance, unsigned threads, FractureSet& set);
 
 }  // namespace sherd

@@ -2,11 +2,13 @@
 #include "geometry/closed_mesh.h"
 
 #include <algorithm>
-#include <bit>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <tuple>
 #include <vector>
+
+#include "geometry/union_find.h"
+#include "geometry/weld.h"
 
 namespace sherd {
 namespace {
@@ -45,20 +47,13 @@ std::vector<DirectedEdge> sortedEdges(std::span<const std::array<uint32_t, 3>> t
     return edges;
 }
 
-uint32_t findRoot(std::vector<uint32_t>& parent, uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 }  // namespace
 
 ClosedReport proveByIds(std::span<const std::array<uint32_t, 3>> triangles) {
     ClosedReport report;
     const std::vector<DirectedEdge> edges = sortedEdges(triangles);
-    std::vector<uint32_t> fan(triangles.size() * 3);  // corners around a vertex, joined over edges
-    std::iota(fan.begin(), fan.end(), 0U);
+    UnionFind fan(triangles.size() * 3);  // corners around a vertex, joined over edges
     const auto next = [](uint32_t c) { return c - c % 3 + (c + 1) % 3; };
-    const auto unite = [&](uint32_t a, uint32_t b) { fan[findRoot(fan, a)] = findRoot(fan, b); };
     for (size_t i = 0; i < edges.size();) {
         size_t end = i;
         size_t forward = 0;
@@ -71,16 +66,16 @@ ClosedReport proveByIds(std::span<const std::array<uint32_t, 3>> triangles) {
         } else if (forward > 1) {
             ++report.repeatedEdges;
         } else {
-            unite(edges[i].corner, next(edges[i + 1].corner));
-            unite(next(edges[i].corner), edges[i + 1].corner);
+            fan.unite(edges[i].corner, next(edges[i + 1].corner));
+            fan.unite(next(edges[i].corner), edges[i + 1].corner);
         }
         i = end;
     }
     if (report.openEdges != 0 || report.repeatedEdges != 0) return report;
     std::vector<std::pair<uint32_t, uint32_t>> fans;  // vertex, fan
-    fans.reserve(fan.size());
-    for (uint32_t c = 0; c < fan.size(); ++c)
-        fans.emplace_back(triangles[c / 3][c % 3], findRoot(fan, c));
+    fans.reserve(triangles.size() * 3);
+    for (uint32_t c = 0; c < triangles.size() * 3; ++c)
+        fans.emplace_back(triangles[c / 3][c % 3], fan.find(c));
     std::sort(fans.begin(), fans.end());
     fans.erase(std::unique(fans.begin(), fans.end()), fans.end());
     for (size_t i = 1; i < fans.size(); ++i)
@@ -90,33 +85,17 @@ ClosedReport proveByIds(std::span<const std::array<uint32_t, 3>> triangles) {
 
 ClosedReport proveByPositions(std::span<const glm::vec3> positions,
                               std::span<const std::array<uint32_t, 3>> triangles) {
-    const auto bits = [&](uint32_t v) {
-        const glm::vec3 p = positions[v] + 0.0F;  // -0 becomes 0
-        return std::tuple(std::bit_cast<uint32_t>(p.x), std::bit_cast<uint32_t>(p.y),
-                          std::bit_cast<uint32_t>(p.z));
-    };
-    std::vector<uint32_t> used;
-    used.reserve(triangles.size() * 3);
-    for (const auto& t : triangles) used.insert(used.end(), t.begin(), t.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    std::vector<uint32_t> order(used);
-    std::sort(order.begin(), order.end(),
-              [&](uint32_t a, uint32_t b) { return bits(a) < bits(b); });
-    std::vector<uint32_t> idOf(used.size());
-    uint32_t id = 0;
-    for (size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && bits(order[i]) != bits(order[i - 1])) ++id;
-        idOf[static_cast<size_t>(std::lower_bound(used.begin(), used.end(), order[i]) -
-                                 used.begin())] = id;
-    }
-    std::vector<std::array<uint32_t, 3>> welded;
+    std::vector<glm::vec3> corners;
+    corners.reserve(triangles.size() * 3);
     for (const auto& t : triangles) {
-        std::array<uint32_t, 3> w{};
-        for (size_t k = 0; k < 3; ++k) {
-            w[k] = idOf[static_cast<size_t>(std::lower_bound(used.begin(), used.end(), t[k]) -
-                                            used.begin())];
-        }
+        for (const uint32_t v : t) corners.push_back(positions[v]);
+    }
+    std::vector<glm::vec3> distinct;
+    const std::vector<uint32_t> ids = PositionWelder(distinct).add(corners);
+    std::vector<std::array<uint32_t, 3>> welded;
+    welded.reserve(triangles.size());
+    for (size_t i = 0; i < ids.size(); i += 3) {
+        const std::array<uint32_t, 3> w{ids[i], ids[i + 1], ids[i + 2]};
         if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0]) welded.push_back(w);
     }
     ClosedReport report;

@@ -8,7 +8,7 @@
 #include <glm/matrix.hpp>
 #include <utility>
 
-#include "import/weld.h"
+#include "geometry/weld.h"
 
 namespace sherd {
 namespace {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "interior/stitching.h"
 
-#include <algorithm>
-#include <numeric>
+#include "geometry/union_find.h"
 
 namespace sherd {
 namespace {
@@ -93,31 +92,27 @@ std::vector<std::array<uint32_t, 3>> levelTopology(const SplitSurface& surface,
                                                    std::span<const HiddenFace> hidden,
                                                    uint32_t level) {
     const auto cornerCount = static_cast<uint32_t>(3 * surface.triangles.size());
-    std::vector<uint32_t> fan(cornerCount);
-    std::iota(fan.begin(), fan.end(), 0U);
-    const auto find = [&](uint32_t i) {
-        while (fan[i] != i) i = fan[i] = fan[fan[i]];
-        return i;
-    };
+    UnionFind fan(cornerCount);
     for (uint32_t h = 0; h < cornerCount; ++h) {
         const uint32_t o = topology.opposite[h];
         if (o == kNone || o < h) continue;
         if (components.at(level, components.leaf[h / 3]) !=
             components.at(level, components.leaf[o / 3]))
             continue;
-        fan[find(h)] = find(next(o));
-        fan[find(next(h))] = find(o);
+        fan.unite(h, next(o));
+        fan.unite(next(h), o);
     }
     std::vector<std::array<uint32_t, 3>> triangles;
     triangles.reserve(surface.triangles.size() + hidden.size());
     for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
-        triangles.push_back({2 * find(3 * t), 2 * find(3 * t + 1), 2 * find(3 * t + 2)});
+        triangles.push_back(
+            {2 * fan.find(3 * t), 2 * fan.find(3 * t + 1), 2 * fan.find(3 * t + 2)});
     }
     for (const HiddenFace& face : hidden) {
         if (face.exposedFrom > level) continue;
         std::array<uint32_t, 3> ids{};
         for (size_t k = 0; k < 3; ++k)
-            ids[k] = 2 * find(face.corners[k].corner) + face.corners[k].hidden;
+            ids[k] = 2 * fan.find(face.corners[k].corner) + face.corners[k].hidden;
         triangles.push_back(ids);
     }
     return triangles;

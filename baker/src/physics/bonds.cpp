@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "geometry/triangle_bvh.h"
-#include "import/weld.h"
+#include "geometry/weld.h"
 
 namespace sherd {
 namespace {

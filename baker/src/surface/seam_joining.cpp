@@ -4,26 +4,12 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numeric>
 #include <tuple>
+
+#include "geometry/union_find.h"
 
 namespace sherd {
 namespace {
-
-class UnionFind {
-  public:
-    explicit UnionFind(size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-    uint32_t find(uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void unite(uint32_t a, uint32_t b) {
-        parent_[std::max(find(a), find(b))] = std::min(find(a), find(b));
-    }
-
-  private:
-    std::vector<uint32_t> parent_;
-};
 
 /// Ends of lines at one place of a seam, on one of its sides.
 /// side: the half edge for an edge point, the wedge (corner class) for a mesh vertex.

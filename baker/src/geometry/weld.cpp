@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "import/weld.h"
+#include "geometry/weld.h"
 
 #include <bit>
 
