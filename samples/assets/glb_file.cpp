@@ -92,7 +92,40 @@ json makeAccessors(const Vertices& v, Buffer& buffer) {
     return accessors;
 }
 
+/// The painted skin, and what is seen where the object is broken: the recipe names the second.
+json makeMaterials(const SampleObject& object) {
+    const json skin{{"name", object.name},
+                    {"pbrMetallicRoughness",
+                     {{"baseColorTexture", {{"index", 0}}},
+                      {"metallicFactor", 0.0},
+                      {"roughnessFactor", object.roughness}}}};
+    const glm::dvec3& color = object.stuff.color;
+    const json inside{{"name", insideMaterialName(object)},
+                      {"pbrMetallicRoughness",
+                       {{"baseColorFactor", {color.x, color.y, color.z, 1.0}},
+                        {"metallicFactor", 0.0},
+                        {"roughnessFactor", 0.95}}}};
+    return json::array({skin, inside});
+}
+
 }  // namespace
+
+std::string insideMaterialName(const SampleObject& object) {
+    return std::string(object.name).append(" inside");
+}
+
+std::string toRecipe(const SampleObject& object) {
+    json recipe;
+    for (const int level : {1, 2}) {
+        const std::string map =
+            std::string(object.name).append("_level").append(std::to_string(level)).append(".svg");
+        recipe["levels"].push_back({{"map", map}});
+    }
+    recipe["interior"] = {{"material", insideMaterialName(object)},
+                          {"preSmoothing", object.stuff.preSmoothing}};
+    recipe["physics"] = {{"density", object.stuff.density}};
+    return recipe.dump(2).append("\n");
+}
 
 GltfDocument toGltf(const SampleObject& object) {
     Buffer buffer;
@@ -107,11 +140,7 @@ GltfDocument toGltf(const SampleObject& object) {
                          {"material", 0}};
     document["meshes"] =
         json::array({{{"name", object.name}, {"primitives", json::array({primitive})}}});
-    document["materials"] = json::array({{{"name", object.name},
-                                          {"pbrMetallicRoughness",
-                                           {{"baseColorTexture", {{"index", 0}}},
-                                            {"metallicFactor", 0.0},
-                                            {"roughnessFactor", object.roughness}}}}});
+    document["materials"] = makeMaterials(object);
     const std::vector<uint8_t> png = encodePng(object.texture);
     document["images"] = json::array({{{"name", object.name},
                                        {"mimeType", "image/png"},

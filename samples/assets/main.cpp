@@ -24,11 +24,11 @@ constexpr std::string_view kUsage =
     "  OUTDIR/<object>.glb          the intact model\n"
     "  OUTDIR/<object>_level1.svg   cracks into large pieces, drawn over the model's UV layout\n"
     "  OUTDIR/<object>_level2.svg   further cracks that divide those pieces\n"
+    "  OUTDIR/<object>.recipe.json  how to bake it: both maps, inside material, density\n"
     "\n"
     "example:\n"
     "  sherd-sample-assets out\n"
-    "  sherd-bake bake out/vase.glb --map out/vase_level1.svg --map out/vase_level2.svg -o "
-    "out/vase_baked.glb\n";
+    "  sherd-bake bake out/vase.glb --recipe out/vase.recipe.json -o out/vase_baked.glb\n";
 
 bool write(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
     const Result<void> done = writeFileWhole(path, bytes);
@@ -69,6 +69,7 @@ bool writeObject(const SampleObject& object, const std::filesystem::path& folder
     const DrawOptions options;
     const std::vector<uint8_t> glb = toGlb(toGltf(object));
     if (!write(folder / (object.name + ".glb"), glb) ||
+        !write(folder / (object.name + ".recipe.json"), toRecipe(object)) ||
         !write(folder / (object.name + "_level1.svg"), drawCracks(cracks.level1, 1, options)) ||
         !write(folder / (object.name + "_level2.svg"), drawCracks(cracks.level2, 2, options))) {
         return false;

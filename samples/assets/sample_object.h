@@ -2,6 +2,7 @@
 // The three objects of the demo.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <string>
 
 #include "crack_pattern.h"
@@ -10,11 +11,21 @@
 
 namespace sherd::samples {
 
+/// What the object is made of, for the recipe.
+struct Stuff {
+    glm::dvec3 color{0.5};  ///< linear, of a broken face
+    double density = 2400;  ///< kg/m^3
+    /// Steps that even out the surface before the middle of the solid is sought. They shrink it, so
+    /// a shell as thin as its triangles are wide bears hardly any.
+    int preSmoothing = 10;
+};
+
 struct SampleObject {
     std::string name;
     Mesh mesh;  ///< stands on y = 0, centred on the y axis
     Image texture;
     double roughness = 0.8;
+    Stuff stuff;
     CrackPattern cracks;
 };
 

@@ -130,7 +130,7 @@ class Shot::Impl {
         ballMass_ =
             options_.ballDensity * 4 / 3 * std::numbers::pi_v<float> * std::pow(ballRadius_, 3.0F);
         // Larger things are met faster, so that each shot takes as long to look at.
-        speed_ = options_.speed > 0 ? options_.speed : 7.5F * std::sqrt(stage_.diagonal());
+        speed_ = options_.speed > 0 ? options_.speed : 8.5F * std::sqrt(stage_.diagonal());
         ballShape_ = std::make_unique<btSphereShape>(ballRadius_);
         btVector3 inertia(0, 0, 0);
         ballShape_->calculateLocalInertia(ballMass_, inertia);

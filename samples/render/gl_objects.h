@@ -33,15 +33,16 @@ class GlProgram {
     GLuint id_ = 0;
 };
 
-/// A framebuffer with a colour and a depth renderbuffer.
+/// A framebuffer with a colour texture and a depth renderbuffer.
 class GlTarget {
   public:
-    GlTarget(uint32_t width, uint32_t height, uint32_t samples);
+    GlTarget(uint32_t width, uint32_t height);
     ~GlTarget();
     GlTarget(const GlTarget&) = delete;
     GlTarget& operator=(const GlTarget&) = delete;
 
     [[nodiscard]] GLuint framebuffer() const { return framebuffer_; }
+    [[nodiscard]] GLuint texture() const { return color_; }
     [[nodiscard]] bool isComplete() const;
 
   private:

@@ -23,22 +23,18 @@ struct GpuMesh {
     GLuint indices = 0;
 };
 
-uint32_t allowedSamples(uint32_t wanted) {
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    return std::min(wanted, static_cast<uint32_t>(std::max(most, 0)));
-}
-
 }  // namespace
 
 class SceneRenderer::Impl {
   public:
-    Impl(const RendererOptions& options, GlProgram surface, GlProgram shadow, GlProgram sky)
+    Impl(const RendererOptions& options, GlProgram surface, GlProgram shadow, GlProgram sky,
+         GlProgram smooth)
         : surface_(std::move(surface)),
           shadow_(std::move(shadow)),
           sky_(std::move(sky)),
-          target_(options.width, options.height, allowedSamples(options.samples)),
-          resolved_(options.width, options.height, 0),
+          smooth_(std::move(smooth)),
+          target_(options.width, options.height),
+          smoothed_(options.width, options.height),
           shadowMap_(options.shadowSize),
           width_(options.width),
           height_(options.height) {
@@ -67,7 +63,7 @@ class SceneRenderer::Impl {
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
 
-    [[nodiscard]] bool isComplete() const { return target_.isComplete() && resolved_.isComplete(); }
+    [[nodiscard]] bool isComplete() const { return target_.isComplete() && smoothed_.isComplete(); }
 
     uint32_t addMesh(std::span<const RenderVertex> vertices, std::span<const uint32_t> indices) {
         GpuMesh mesh;
@@ -109,6 +105,7 @@ class SceneRenderer::Impl {
         glEnable(GL_DEPTH_TEST);
         drawShadows(frame, shadow);
         drawPicture(frame, shadow);
+        smoothEdges();
         return readBack();
     }
 
@@ -226,13 +223,20 @@ class SceneRenderer::Impl {
         glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_INT, nullptr);
     }
 
+    void smoothEdges() const {
+        glBindFramebuffer(GL_FRAMEBUFFER, smoothed_.framebuffer());
+        glDisable(GL_DEPTH_TEST);
+        smooth_.use();
+        smooth_.set("uPicture", 0);
+        glBindTexture(GL_TEXTURE_2D, target_.texture());
+        glBindVertexArray(noVertices_);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
     [[nodiscard]] Picture readBack() const {
         const auto w = static_cast<GLint>(width_);
         const auto h = static_cast<GLint>(height_);
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.framebuffer());
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.framebuffer());
-        glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.framebuffer());
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, smoothed_.framebuffer());
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         const size_t row = size_t{3} * width_;
         std::vector<uint8_t> upsideDown(row * height_);
@@ -244,8 +248,8 @@ class SceneRenderer::Impl {
         return picture;
     }
 
-    GlProgram surface_, shadow_, sky_;
-    GlTarget target_, resolved_;
+    GlProgram surface_, shadow_, sky_, smooth_;
+    GlTarget target_, smoothed_;
     GlShadowMap shadowMap_;
     uint32_t width_, height_;
     GLuint noVertices_ = 0;
@@ -263,8 +267,10 @@ Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create(const RendererOptio
     if (!shadow) return tl::unexpected(shadow.error());
     Result<GlProgram> sky = GlProgram::build(kSkyVertexShader, kSkyFragmentShader);
     if (!sky) return tl::unexpected(sky.error());
-    auto impl =
-        std::make_unique<Impl>(options, std::move(*surface), std::move(*shadow), std::move(*sky));
+    Result<GlProgram> smooth = GlProgram::build(kScreenVertexShader, kSmoothFragmentShader);
+    if (!smooth) return tl::unexpected(smooth.error());
+    auto impl = std::make_unique<Impl>(options, std::move(*surface), std::move(*shadow),
+                                       std::move(*sky), std::move(*smooth));
     if (!impl->isComplete())
         return fail(ErrorCode::unsupported, "OpenGL refuses a framebuffer of this size");
     return std::unique_ptr<SceneRenderer>(new SceneRenderer(std::move(impl)));

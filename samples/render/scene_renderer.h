@@ -58,7 +58,6 @@ struct SceneFrame {
 struct RendererOptions {
     uint32_t width = 640;        ///< pixels
     uint32_t height = 360;       ///< pixels
-    uint32_t samples = 4;        ///< per pixel, limited to what the driver offers
     uint32_t shadowSize = 1024;  ///< texels across the shadow map
 };
 
