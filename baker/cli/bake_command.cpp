@@ -132,7 +132,8 @@ class ReportFile {
 
     Result<void> stage(std::string text) {
         text_ = std::move(text);
-        if (path_.empty() || isDevice()) return {};
+        if (path_.empty()) return {};
+        if (isDevice()) return write(path_);
         std::error_code ignored;
         target_ = std::filesystem::weakly_canonical(path_, ignored);
         if (target_.empty()) target_ = path_;
@@ -143,8 +144,7 @@ class ReportFile {
     }
 
     Result<void> commit() {
-        if (path_.empty()) return {};
-        if (staged_.empty()) return write(path_);
+        if (staged_.empty()) return {};
         std::error_code code;
         std::filesystem::rename(staged_, target_, code);
         if (code) return fail(ErrorCode::fileWrite, "the report: " + code.message(), path_);

@@ -77,27 +77,49 @@ class ObjWriter {
     }
 
     std::string write(uint32_t fragment) {
-        text_ = "# " + std::to_string(fragment) + " of " + clean(set_.name) + "\n";
-        attributeNumber_.assign(set_.geometry.positions.size(), 0);
-        placeOf_.assign(set_.geometry.positions.size(), 0);
-        positionNumber_.clear();
-        places_.clear();
-        order_.clear();
+        begin("fragment " + std::to_string(fragment));
         std::string faces;
         const std::vector<Primitive>& primitives = set_.geometry.primitives;
         for (size_t p = 0; p < primitives.size(); ++p) {
             if (primitives[p].exposedFrom > set_.fragments[fragment].level) continue;
             const Range range = set_.fragmentRanges[fragment * primitives.size() + p];
-            if (range.count == 0) continue;
-            faces += "usemtl " + materialOf(primitives[p]) + "\n";
-            for (uint32_t i = range.first; i < range.first + range.count; i += 3)
-                appendFace(faces, set_.geometry.indices.data() + i);
+            appendFaces(faces, primitives[p], range, false);
         }
         appendVertices();
         return text_ + faces;
     }
 
+    /// The sheets of all fragments together, turned round: as the medial surface bounds what it
+    /// encloses.
+    std::string writeMedial() {
+        begin("medial surface");
+        std::string faces;
+        for (const Primitive& primitive : set_.geometry.primitives)
+            if (primitive.sheet) appendFaces(faces, primitive, primitive.indices, true);
+        appendVertices();
+        return text_ + faces;
+    }
+
   private:
+    void begin(const std::string& what) {
+        text_ = "# " + what + " of " + clean(set_.name) + "\n";
+        attributeNumber_.assign(set_.geometry.positions.size(), 0);
+        placeOf_.assign(set_.geometry.positions.size(), 0);
+        positionNumber_.clear();
+        places_.clear();
+        order_.clear();
+    }
+
+    void appendFaces(std::string& faces, const Primitive& primitive, Range range, bool reversed) {
+        if (range.count == 0) return;
+        faces += "usemtl " + materialOf(primitive) + "\n";
+        for (uint32_t i = range.first; i < range.first + range.count; i += 3) {
+            const uint32_t* c = set_.geometry.indices.data() + i;
+            appendFace(faces,
+                       reversed ? std::array{c[2], c[1], c[0]} : std::array{c[0], c[1], c[2]});
+        }
+    }
+
     static std::string clean(std::string text) {
         for (char& c : text)
             if (static_cast<unsigned char>(c) < ' ') c = ' ';
@@ -133,14 +155,14 @@ class ObjWriter {
         faces += attribute;
     }
 
-    void appendFace(std::string& faces, const uint32_t* corner) {
-        for (int k = 0; k < 3; ++k) number(corner[k]);
+    void appendFace(std::string& faces, const std::array<uint32_t, 3>& corner) {
+        for (const uint32_t c : corner) number(c);
         const std::array<uint32_t, 3> place = {placeOf_[corner[0]], placeOf_[corner[1]],
                                                placeOf_[corner[2]]};
         // A triangle whose corners coincide is no face; the mesh stays closed without it.
         if (place[0] == place[1] || place[1] == place[2] || place[2] == place[0]) return;
         faces += 'f';
-        for (int k = 0; k < 3; ++k) appendCorner(faces, corner[k]);
+        for (const uint32_t c : corner) appendCorner(faces, c);
         faces += '\n';
     }
 
@@ -265,11 +287,12 @@ class Batch {
     bool kept_ = false;
 };
 
-Result<void> exportObject(const FractureSet& set, const Names& materials,
+Result<void> exportObject(const FractureSet& set, const Names& materials, bool medial,
                           const std::filesystem::path& folder, Batch& batch) {
     if (auto widths = checkWidths(set); !widths) return widths;
     if (auto made = batch.makeFolder(folder); !made) return made;
     ObjWriter writer(set, materials);
+    if (medial) return batch.stage(folder / "medial.obj", writer.writeMedial());
     for (uint32_t k = 0; k < set.levels.size(); ++k) {
         uint32_t number = 0;
         for (const uint32_t f : fragmentsAtLevel(set, k)) {
@@ -299,7 +322,7 @@ Result<size_t> exportAll(const ExportArguments& arguments) {
             while (!used.insert(name).second) name += "_" + std::to_string(s);
             folder /= name;
         }
-        if (auto done = exportObject((*sets)[s], materials, folder, batch); !done)
+        if (auto done = exportObject((*sets)[s], materials, arguments.medial, folder, batch); !done)
             return tl::unexpected<Error>(done.error());
     }
     return batch.commit();
@@ -326,7 +349,11 @@ void addExportCommand(CLI::App& app, int& exitCode) {
     command->add_option("BAKED", arguments->input, "The baked .glb")->required();
     command->add_option("-o,--output", arguments->directory, "The directory to write to")
         ->required();
-    command->footer("Example:\n  sherd-bake export out/vase.glb -o out/vase_pieces");
+    command->add_flag("--medial", arguments->medial,
+                      "Write the medial surface alone, as DIR/medial.obj");
+    command->footer(
+        "Examples:\n  sherd-bake export out/vase.glb -o out/vase_pieces\n"
+        "  sherd-bake export out/vase.glb -o out/vase_medial --medial");
     command->callback([arguments, &exitCode] { exitCode = runExport(*arguments); });
 }
 

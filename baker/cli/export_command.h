@@ -12,6 +12,7 @@ namespace sherd::cli {
 struct ExportArguments {
     std::filesystem::path input;
     std::filesystem::path directory;  ///< created when missing
+    bool medial = false;              ///< the medial surface alone, as `medial.obj`
 };
 
 /// Writes every fragment of every level as `level<k>_fragment<i>.obj`, all files or none.

@@ -128,11 +128,12 @@ Json geometryJson(const FractureGeometry& geometry, TableWriter& tables) {
         to[attribute.semantic] = tables.floats(attribute.values, attribute.components);
     out["indices"] = tables.integers(geometry.indices, 1);
     tables.endView();
-    for (const Primitive& p : geometry.primitives)
-        out["primitives"].push_back(
-            {{"material", p.material},
-             {"exposedFrom", p.exposedFrom},
-             {"indices", {{"first", p.indices.first}, {"count", p.indices.count}}}});
+    for (const Primitive& p : geometry.primitives) {
+        Json entry = {{"material", p.material}, {"exposedFrom", p.exposedFrom}};
+        if (p.sheet) entry["sheet"] = true;
+        entry["indices"] = {{"first", p.indices.first}, {"count", p.indices.count}};
+        out["primitives"].push_back(std::move(entry));
+    }
     return out;
 }
 

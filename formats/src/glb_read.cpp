@@ -92,6 +92,14 @@ class Reader {
         return value->is_string() ? value->get<std::string>() : std::string();
     }
 
+    bool flag(const json& object, const char* key, const std::string& where) {
+        const json* value = optional(object, key);
+        if (value == nullptr) return false;
+        if (!value->is_boolean())
+            fail(ErrorCode::invalidData, "this must be true or false", where + "/" + key);
+        return value->is_boolean() && value->get<bool>();
+    }
+
     template <size_t N>
     std::array<float, N> numbers(const json& object, const char* key, const std::string& where) {
         std::array<float, N> out{};
@@ -358,6 +366,7 @@ void readPrimitives(Reader& in, const json& geometry, const std::string& parent,
         Primitive primitive;
         primitive.material = static_cast<uint32_t>(in.whole(all[p], "material", where));
         primitive.exposedFrom = static_cast<uint32_t>(in.whole(all[p], "exposedFrom", where));
+        primitive.sheet = in.flag(all[p], "sheet", where);
         const json& indices = in.member(all[p], "indices", where);
         primitive.indices.first =
             static_cast<uint32_t>(in.whole(indices, "first", where + "/indices"));

@@ -64,7 +64,7 @@ inline std::string whatDiffers(const FractureSet& a, const FractureSet& b) {
     if (!sameLists(a.geometry.primitives, b.geometry.primitives,
                    [](const Primitive& x, const Primitive& y) {
                        return x.material == y.material && x.exposedFrom == y.exposedFrom &&
-                              same(x.indices, y.indices);
+                              x.sheet == y.sheet && same(x.indices, y.indices);
                    }))
         return "primitives";
     if (a.geometry.attributes.size() != b.geometry.attributes.size()) return "attributes";

@@ -49,12 +49,17 @@ class GeometryAssembler {
         };
         const std::vector<uint32_t> faceOrder = orderByRank(in_.faces.size(), faceRank);
         for (uint32_t level = 1; level <= in_.components.levels; ++level) {
-            begin(in_.interiorMaterial, level);
-            for (const uint32_t f : faceOrder) {
-                if (in_.faces[f].exposedFrom == level)
-                    add(faceRank(f), hidden_.vertices(in_.faces[f]));
+            for (const bool sheet : {true, false}) {
+                begin(in_.interiorMaterial, level);
+                set_.geometry.primitives.back().sheet = sheet;
+                for (const uint32_t f : faceOrder) {
+                    const HiddenFace& face = in_.faces[f];
+                    if (face.exposedFrom == level && face.wall != sheet) {
+                        add(faceRank(f), hidden_.vertices(face));
+                    }
+                }
+                end();
             }
-            end();
         }
         fillFragmentRanges();
     }

@@ -36,6 +36,7 @@ struct Primitive {
     uint32_t material = 0;     ///< index into FractureSet::materials
     uint32_t exposedFrom = 0;  ///< level
     Range indices;             ///< into FractureGeometry::indices; both numbers are multiples of 3
+    bool sheet = false;        ///< a piece of the medial surface, not a wall or a cut
 };
 
 /// One vertex and one index buffer for all fragments of all levels.
