@@ -170,6 +170,9 @@ class Bake {
         set.materials.push_back(interiorMaterial_);
         const Hierarchy hierarchy = buildHierarchy(components_);
         assembleFragments(hierarchy, recipe_.physics, set);
+        for (size_t k = 0; k < recipe_.levels.size() && k + 1 < set.levels.size(); ++k) {
+            set.levels[k + 1].name = recipe_.levels[k].name;
+        }
         {
             const StageTimer timer = stage("geometry", 0.75);
             const double tile = recipe_.interior.uvMetresPerTile > 0

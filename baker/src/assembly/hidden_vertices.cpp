@@ -28,12 +28,27 @@ glm::vec3 unit(const glm::dvec3& n, int axis) {
 }  // namespace
 
 HiddenVertices::HiddenVertices(const AssemblyInput& input, FractureGeometry& out)
-    : in_(input), out_(out) {
-    for (const HiddenFace& face : in_.faces) {
-        if (face.wall) continue;
-        const glm::dvec3 n = areaNormal(position(face.corners[0]), position(face.corners[1]),
-                                        position(face.corners[2]));
-        for (const CornerRef ref : face.corners) sheetNormals_[{face.leaf, splitVertex(ref)}] += n;
+    : in_(input),
+      out_(out),
+      sheetFaces_(input.components.leafCount),
+      sheet_(input.surface.positions.size()) {
+    for (uint32_t f = 0; f < in_.faces.size(); ++f) {
+        if (!in_.faces[f].wall) sheetFaces_[in_.faces[f].leaf].push_back(f);
+    }
+}
+
+/// Smooth normals of a leaf's sheet, weighted by area.
+void HiddenVertices::beginSheet(uint32_t leaf) {
+    sheetLeaf_ = leaf;
+    for (const uint32_t f : sheetFaces_[leaf]) {
+        const auto& corners = in_.faces[f].corners;
+        const glm::dvec3 n =
+            areaNormal(position(corners[0]), position(corners[1]), position(corners[2]));
+        for (const CornerRef ref : corners) {
+            SheetVertex& vertex = sheet_[splitVertex(ref)];
+            if (vertex.leaf != leaf) vertex = {leaf, glm::dvec3(0.0), {kNone, kNone, kNone}};
+            vertex.normal += n;
+        }
     }
 }
 
@@ -51,16 +66,17 @@ std::array<uint32_t, 3> HiddenVertices::vertices(const HiddenFace& face) {
                                      position(face.corners[2])};
     const glm::dvec3 flat = areaNormal(p[0], p[1], p[2]);
     const int axis = mainAxis(flat);
+    if (!face.wall && face.leaf != sheetLeaf_) beginSheet(face.leaf);
     std::array<uint32_t, 3> result{};
     for (size_t k = 0; k < 3; ++k) {
         if (face.wall) {
             result[k] = newVertex(p[k], unit(flat, axis), axis);
             continue;
         }
-        const uint32_t v = splitVertex(face.corners[k]);
-        const auto [it, isNew] = sheetVertices_.try_emplace({face.leaf, v, axis}, 0);
-        if (isNew) it->second = newVertex(p[k], unit(sheetNormals_.at({face.leaf, v}), axis), axis);
-        result[k] = it->second;
+        SheetVertex& vertex = sheet_[splitVertex(face.corners[k])];
+        uint32_t& known = vertex.ofAxis[static_cast<size_t>(axis)];
+        if (known == kNone) known = newVertex(p[k], unit(vertex.normal, axis), axis);
+        result[k] = known;
     }
     return result;
 }

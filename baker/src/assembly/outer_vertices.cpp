@@ -33,6 +33,13 @@ OuterVertices::OuterVertices(const SurfaceMesh& mesh, const SplitSurface& surfac
     }
 }
 
+size_t OuterVertices::KeyHash::operator()(const Key& key) const {
+    uint64_t h = key.splitVertex * 0x9E3779B97F4A7C15ULL;
+    h = (h ^ key.a ^ h >> 29) * 0xBF58476D1CE4E5B9ULL;
+    h = (h ^ key.b ^ h >> 32) * 0x94D049BB133111EBULL;
+    return static_cast<size_t>(h ^ h >> 31);
+}
+
 uint32_t OuterVertices::vertex(const SplitTriangle& triangle, uint32_t k) {
     const uint32_t v = triangle.v[k];
     const auto& sourceVertices = mesh_.triangles[triangle.source];

@@ -3,8 +3,7 @@
 // cut.
 #pragma once
 
-#include <map>
-#include <tuple>
+#include <unordered_map>
 
 #include "sherd/baker/surface_mesh.h"
 #include "surface/split_surface.h"
@@ -20,7 +19,13 @@ class OuterVertices {
     uint32_t vertex(const SplitTriangle& triangle, uint32_t k);
 
   private:
-    using Key = std::tuple<uint32_t, uint32_t, uint32_t>;  ///< split vertex, attribute vertices
+    struct Key {
+        uint32_t splitVertex, a, b;  ///< and the attribute vertices it lies between
+        bool operator==(const Key&) const = default;
+    };
+    struct KeyHash {
+        size_t operator()(const Key& key) const;
+    };
     uint32_t meshVertex(uint32_t splitVertex, uint32_t attributeVertex);
     uint32_t newVertex(uint32_t splitVertex, const std::array<uint32_t, 3>& sources,
                        const glm::dvec3& weights);
@@ -29,7 +34,7 @@ class OuterVertices {
     const SplitSurface& surface_;
     FractureGeometry& out_;
     std::vector<uint32_t> unsplit_;  ///< attribute vertex -> output vertex, where its position fits
-    std::map<Key, uint32_t> split_;
+    std::unordered_map<Key, uint32_t, KeyHash> split_;  ///< looked up only: order does not matter
 };
 
 }  // namespace sherd
