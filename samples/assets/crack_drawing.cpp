@@ -130,6 +130,7 @@ Line follow(const Graph& graph, uint32_t start, uint32_t edge, std::vector<bool>
         if (used[edge]) break;
     }
     std::vector<glm::dvec2> points;
+    points.reserve(path.size());
     for (const uint32_t node : path) points.push_back(graph.nodes[node].uv);
     points = simplified(points, options.tolerance);
     Line line;

@@ -160,6 +160,7 @@ class PieceCounter {
         std::map<uint32_t, double> sums;
         for (uint32_t i = 0; i < parent_.size(); ++i) sums[root(i)] += areas_[i];
         std::vector<double> out;
+        out.reserve(sums.size());
         for (const auto& [piece, area] : sums) out.push_back(area);
         std::sort(out.begin(), out.end());
         return out;
@@ -254,6 +255,7 @@ std::vector<SmallTriangle> subdivide(const Mesh& mesh, const Triangle& triangle,
 std::vector<glm::dvec3> scaledPositions(const std::vector<CrackSite>& sites,
                                         const CrackOptions& options) {
     std::vector<glm::dvec3> out;
+    out.reserve(sites.size());
     for (const CrackSite& site : sites) out.push_back(site.position * options.stretch);
     return out;
 }

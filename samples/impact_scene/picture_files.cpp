@@ -116,7 +116,11 @@ Result<std::unique_ptr<VideoWriter>> VideoWriter::open(const std::filesystem::pa
 }
 
 VideoWriter::~VideoWriter() {
-    if (pipe_ != nullptr) pclose(pipe_);
+    if (pipe_ == nullptr) return;
+    // Not finished: something failed, and half a film is none.
+    pclose(pipe_);
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
 }
 
 Result<void> VideoWriter::add(const Picture& picture) {

@@ -20,7 +20,7 @@ Picture contactSheet(std::span<const Picture> pictures, uint32_t columns);
 
 Result<void> writePng(const std::filesystem::path& path, const Picture& picture);
 
-/// An MP4 written by the `ffmpeg` command, fed raw pictures.
+/// An MP4 written by the `ffmpeg` command, fed raw pictures. Unless finished, no file is left.
 class VideoWriter {
   public:
     static Result<std::unique_ptr<VideoWriter>> open(const std::filesystem::path& path,

@@ -171,7 +171,7 @@ class Shot::Impl {
     float speed_ = 0;
 };
 
-Result<std::unique_ptr<Shot>> Shot::create(std::shared_ptr<const Asset> asset,
+Result<std::unique_ptr<Shot>> Shot::create(const std::shared_ptr<const Asset>& asset,
                                            const ShotOptions& options) {
     auto impl = std::make_unique<Impl>(options);
     const Result<void> built = impl->build(asset);

@@ -34,7 +34,7 @@ struct Stage {
 
 class Shot {
   public:
-    static Result<std::unique_ptr<Shot>> create(std::shared_ptr<const Asset> asset,
+    static Result<std::unique_ptr<Shot>> create(const std::shared_ptr<const Asset>& asset,
                                                 const ShotOptions& options);
     ~Shot();
     Shot(const Shot&) = delete;

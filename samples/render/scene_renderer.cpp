@@ -23,6 +23,11 @@ struct GpuMesh {
     GLuint indices = 0;
 };
 
+/// OpenGL takes offsets into a bound buffer as pointers.
+const void* bufferOffset(size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
+
 }  // namespace
 
 class SceneRenderer::Impl {
@@ -81,7 +86,7 @@ class SceneRenderer::Impl {
         const auto attribute = [](GLuint location, GLint components, size_t offset) {
             glEnableVertexAttribArray(location);
             glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, kStride,
-                                  reinterpret_cast<const void*>(offset));
+                                  bufferOffset(offset));
         };
         attribute(0, 3, offsetof(RenderVertex, position));
         attribute(1, 3, offsetof(RenderVertex, normal));
@@ -132,9 +137,8 @@ class SceneRenderer::Impl {
         for (const DrawItem& item : frame.items) {
             program.set("uModel", item.model);
             glBindVertexArray(meshes_[item.mesh].vertexArray);
-            glDrawElements(
-                GL_TRIANGLES, static_cast<GLsizei>(item.indexCount), GL_UNSIGNED_INT,
-                reinterpret_cast<const void*>(size_t{item.firstIndex} * sizeof(uint32_t)));
+            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.indexCount), GL_UNSIGNED_INT,
+                           bufferOffset(size_t{item.firstIndex} * sizeof(uint32_t)));
         }
     }
 
@@ -201,9 +205,8 @@ class SceneRenderer::Impl {
                                              ? textures_[static_cast<size_t>(material.texture)]
                                              : whiteTexture_);
             glBindVertexArray(meshes_[item.mesh].vertexArray);
-            glDrawElements(
-                GL_TRIANGLES, static_cast<GLsizei>(item.indexCount), GL_UNSIGNED_INT,
-                reinterpret_cast<const void*>(size_t{item.firstIndex} * sizeof(uint32_t)));
+            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.indexCount), GL_UNSIGNED_INT,
+                           bufferOffset(size_t{item.firstIndex} * sizeof(uint32_t)));
         }
     }
 
