@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -166,23 +167,41 @@ class ReportFile {
     std::string text_;
 };
 
-/// A bake may take long: what cannot be written at its end is said at its start.
-Result<void> checkOutputs(const BakeArguments& arguments) {
-    if (auto writable = checkWritable(arguments.output); !writable) return writable;
-    if (arguments.report.empty()) return {};
-    std::error_code ignored;
-    if (std::filesystem::weakly_canonical(arguments.report, ignored) ==
-        std::filesystem::weakly_canonical(arguments.output, ignored)) {
-        return fail(ErrorCode::badArgument, "the report would overwrite the baked file",
+/// A bake may take long: what cannot be written at its end, or would overwrite somebody's work, is
+/// said at its start. The model itself may be the output: its document is kept.
+Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) {
+    std::string kind = arguments.output.extension().string();
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (kind == ".gltf" || kind == ".obj") {
+        return fail(ErrorCode::badArgument, "a bake is written as one .glb; name the output so",
+                    arguments.output.string());
+    }
+    std::vector<std::filesystem::path> inputs = {arguments.recipe};
+    for (const RecipeLevel& level : recipe.levels) inputs.push_back(level.map);
+    for (const std::filesystem::path* output : {&arguments.output, &arguments.report}) {
+        if (output->empty()) continue;
+        for (const auto& input : inputs) {
+            if (input.empty() || !isSameFile(*output, input)) continue;
+            return fail(ErrorCode::badArgument,
+                        "the output would overwrite an input of the bake; choose another name",
+                        output->string());
+        }
+        if (auto writable = checkWritable(*output); !writable) return writable;
+    }
+    if (!arguments.report.empty() && (isSameFile(arguments.report, arguments.output) ||
+                                      isSameFile(arguments.report, arguments.model))) {
+        return fail(ErrorCode::badArgument,
+                    "the report would overwrite the model or its bake; choose another name",
                     arguments.report.string());
     }
-    return checkWritable(arguments.report);
+    return {};
 }
 
 Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& progress) {
     const Result<Recipe> recipe = gatherRecipe(arguments);
     if (!recipe) return tl::unexpected(recipe.error());
-    if (auto writable = checkOutputs(arguments); !writable) return tl::unexpected(writable.error());
+    if (auto writable = checkOutputs(arguments, *recipe); !writable)
+        return tl::unexpected(writable.error());
     progress("reading", 0);
     const Result<Model> model = importModel(arguments.model, arguments.import);
     if (!model) return tl::unexpected(model.error());

@@ -51,6 +51,12 @@ inline Result<void> checkWritable(const std::filesystem::path& path) {
     return {};
 }
 
+inline bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(a, ignored) ==
+           std::filesystem::weakly_canonical(b, ignored);
+}
+
 /// Says on stderr what went wrong, and returns its exit code.
 inline int printError(const Error& error) {
     std::fprintf(stderr, "sherd-bake: %s%s%s\n", error.where.c_str(),

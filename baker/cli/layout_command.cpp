@@ -6,6 +6,7 @@
 
 #include "command_files.h"
 #include "exit_codes.h"
+#include "sherd/baker/fracture_map.h"
 #include "sherd/baker/import.h"
 #include "sherd/baker/layout.h"
 #include "sherd/formats/glb_write.h"
@@ -19,11 +20,28 @@ struct LayoutArguments {
     ImportOptions import;
     LayoutOptions layout;
     bool texture = true;
+    bool force = false;
 };
+
+/// The template and the drawing over it bear the same name: hours of drawing must not be lost to a
+/// second call.
+Result<void> checkNothingDrawn(const std::filesystem::path& output) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(output, ignored)) return {};
+    const Result<FractureMap> drawn = readFractureMap(output, {});
+    if (!drawn) return {};
+    return fail(ErrorCode::fileWrite,
+                "the drawing holds " + std::to_string(drawn->lines.size()) +
+                    " fracture lines, which would be lost; choose another name, or --force",
+                output.string());
+}
 
 int runLayout(const LayoutArguments& arguments) {
     if (auto writable = checkWritable(arguments.output); !writable)
         return printError(writable.error());
+    if (!arguments.force) {
+        if (auto free = checkNothingDrawn(arguments.output); !free) return printError(free.error());
+    }
     const Result<Model> model = importModel(arguments.model, arguments.import);
     if (!model) return printError(model.error());
 
@@ -72,6 +90,8 @@ void addLayoutCommand(CLI::App& app, int& exitCode) {
                      "Side of the drawing in user units, 16 to 65536")
         ->capture_default_str();
     command->add_flag("!--no-texture", arguments->texture, "Leave the base-colour texture out");
+    command->add_flag("--force", arguments->force,
+                      "Overwrite the output even if fracture lines are drawn in it");
     command->footer(
         "Examples:\n"
         "  sherd-bake layout vase.glb -o vase_cracks.svg\n"

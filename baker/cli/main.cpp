@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sherd-bake: thin over the libraries; each subcommand has its own file.
 #include <CLI/CLI.hpp>
+#include <cstdio>
 
 #include "bake_command.h"
 #include "check_command.h"
@@ -46,6 +47,11 @@ int main(int argc, char** argv) {
     } catch (const std::exception& e) {
         std::fprintf(stderr, "sherd-bake: internal error: %s\n", e.what());
         return kExitInternal;
+    }
+    // Results are written as they come; a reader that got half of them must not see success.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        std::fprintf(stderr, "sherd-bake: standard output: not everything could be written\n");
+        if (exitCode == kExitOk) exitCode = kExitFileWrite;
     }
     return exitCode;
 }

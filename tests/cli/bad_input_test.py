@@ -48,7 +48,7 @@ class BadModels(CommandCase):
 
     def test_an_obj_cut_short_within_a_face_is_refused(self):
         whole = inputs.model_obj()
-        self.refuse_model('short.obj', whole[:whole.rindex(b'f ') + 3], 'InvalidData', ['line'])
+        self.refuse_model('short.obj', whole[:whole.rindex(b'f ') + 3], 'Malformed', ['three corners'])
 
     def test_a_glb_that_is_text_is_refused(self):
         self.refuse_model('text.glb', b'this is no model at all, sorry', 'Malformed', [])
@@ -193,6 +193,31 @@ class BadOutputs(CommandCase):
     def test_a_report_in_the_place_of_the_output_is_refused(self):
         self.refuse_bake(self.model, [self.map], 'BadArgument', ['out.glb'],
                          ['--report', self.dir / '.' / 'out.glb'])
+
+
+    def test_an_output_in_the_place_of_an_input_is_refused(self):
+        self.refuse(['bake', self.model, '--map', self.map, '-o', self.map], 'BadArgument',
+                    ['map.svg', 'overwrite'])
+        recipe = self.write('recipe.json', b'{"levels": [{"map": "map.svg"}]}')
+        for output in (self.map, recipe):
+            self.refuse(['bake', self.model, '--recipe', recipe, '-o', output], 'BadArgument',
+                        [output.name, 'overwrite'])
+        for report in (self.map, self.model):
+            self.refuse_bake(self.model, [self.map], 'BadArgument', [report.name, 'overwrite'],
+                             ['--report', report])
+
+    def test_an_output_of_another_kind_is_refused(self):
+        for name in ('out.gltf', 'out.OBJ'):
+            self.refuse(['bake', self.model, '--map', self.map, '-o', self.dir / name],
+                        'BadArgument', [name, '.glb'])
+
+    def test_results_that_nobody_received_are_no_success(self):
+        for arguments in (['bake', self.model, '--map', self.map, '-o', self.dir / 'out.glb'],
+                          ['check', '--json', self.dir / 'out.glb']):
+            with open('/dev/full', 'w', encoding='ascii') as full:
+                result = self.run_bake(*arguments, stdout=full)
+            self.assertEqual(result.returncode, EXIT['FileWrite'])
+            self.assertIn('standard output', result.stderr)
 
 
 class BadCommandLines(CommandCase):

@@ -44,8 +44,8 @@ class CommandCase(unittest.TestCase):
         path.write_bytes(data)
         return path
 
-    def run_bake(self, *arguments):
-        return subprocess.run([BAKE, *map(str, arguments)], capture_output=True, text=True,
+    def run_bake(self, *arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE):
+        return subprocess.run([BAKE, *map(str, arguments)], stdout=stdout, stderr=stderr, text=True,
                               timeout=120, check=False, cwd=self.dir)
 
     def succeed(self, *arguments):

@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: MIT
+"""The way from a model and a drawing to pieces: bake, check, export."""
+import json
+import os
+import pty
+import unittest
+
+import inputs
+import obj_check
+from command_case import CommandCase, EXIT
+
+
+def names(folder):
+    return sorted(str(p.relative_to(folder)) for p in folder.rglob('*') if p.is_file())
+
+
+TWO_LEVELS = ['level0_fragment0.obj', 'level1_fragment0.obj', 'level1_fragment1.obj',
+              'level2_fragment0.obj', 'level2_fragment1.obj', 'level2_fragment2.obj']
+
+
+class Baking(CommandCase):
+    def setUp(self):
+        super().setUp()
+        self.model = self.write('cube.glb', inputs.textured_cube_glb())
+        self.map = self.write('map.svg', inputs.two_level_svg())
+        self.out = self.dir / 'out.glb'
+
+    def bake(self, *extra, model=None, out=None):
+        return self.succeed('bake', model or self.model, '-o', out or self.out, '--map', self.map,
+                            *extra)
+
+    def test_a_bake_passes_check_and_says_what_came_out(self):
+        result = self.bake()
+        self.assertEqual(result.stderr, '')
+        rows = [line.split() for line in result.stdout.splitlines()]
+        self.assertEqual(rows[0], ['object', 'level', 'fragments', 'components', 'closed', 'volume'])
+        self.assertEqual(rows[1][:5], ['cube', '0', '1', '1', '100%'])
+        self.assertEqual(rows[2][:4], ['1', '2', '2', '100%'])
+        self.assertEqual(rows[3][:4], ['2', '3', '3', '100%'])
+        checked = self.succeed('check', self.out)
+        self.assertEqual(checked.stderr, '')
+        self.assertTrue(checked.stdout.endswith('check passed\n'))
+        self.assertNotIn('FAILED', checked.stdout)
+        self.assertEqual(sorted(p.name for p in self.dir.iterdir()),
+                         ['cube.glb', 'map.svg', 'out.glb'])
+
+    def test_quiet_says_nothing(self):
+        result = self.bake('--quiet')
+        self.assertEqual(result.stdout + result.stderr, '')
+        self.assertTrue(self.out.exists())
+
+    def on_a_terminal(self, *arguments):
+        """The command with stderr on a terminal: its result, and what the terminal received."""
+        ours, theirs = pty.openpty()
+        try:
+            result = self.run_bake(*arguments, stderr=theirs)
+            os.close(theirs)
+            shown = b''
+            while True:
+                try:
+                    more = os.read(ours, 4096)
+                except OSError:  # how Linux says that the other side has closed
+                    break
+                if not more:
+                    break
+                shown += more
+        finally:
+            os.close(ours)
+        return result, shown.decode()
+
+    def test_progress_goes_to_the_terminal_and_the_table_to_standard_output(self):
+        arguments = ['bake', self.model, '-o', self.out, '--map', self.map]
+        result, shown = self.on_a_terminal(*arguments)
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(shown, r'0 %  reading')
+        self.assertRegex(shown, r'\d+ %  cutting')
+        self.assertTrue(shown.endswith('\r\033[K'), repr(shown))
+        self.assertTrue(result.stdout.startswith('object '))
+        self.assertNotIn('\033', result.stdout)
+        self.assertEqual(self.on_a_terminal(*arguments, '--quiet')[1], '')
+
+    def test_an_error_on_a_terminal_replaces_the_progress(self):
+        result, shown = self.on_a_terminal('bake', self.model, '-o', self.out, '--map', 'gone.svg')
+        self.assertEqual(result.returncode, EXIT['FileNotFound'])
+        self.assertIn('\r\033[Ksherd-bake: gone.svg', shown)
+
+    def test_a_model_may_be_baked_over_itself_again_and_again(self):
+        self.bake()
+        for _ in range(2):
+            self.bake(out=self.model)
+            self.assertEqual(self.model.read_bytes(), self.out.read_bytes())
+        self.succeed('check', self.model)
+
+    def test_an_older_output_is_replaced(self):
+        self.out.write_bytes(b'an older bake')
+        self.bake()
+        self.succeed('check', self.out)
+
+    def test_the_source_is_left_as_it_was(self):
+        before = self.model.read_bytes()
+        self.bake()
+        self.assertEqual(self.model.read_bytes(), before)
+
+    def test_equal_inputs_give_equal_bytes_whatever_the_thread_count(self):
+        self.bake()
+        for threads in ([], ['--threads', '1'], ['--threads', '7']):
+            again = self.dir / 'again.glb'
+            self.bake(*threads, out=again)
+            self.assertEqual(again.read_bytes(), self.out.read_bytes(), threads)
+
+    def test_two_map_files_are_two_levels(self):
+        halves = self.write('halves.svg', inputs.halves_svg())
+        disc = self.write('disc.svg', inputs.disc_svg())
+        self.bake()
+        second = self.dir / 'second.glb'
+        self.succeed('bake', self.model, '--map', halves, '--map', disc, '-o', second)
+        self.assertEqual(second.read_bytes(), self.out.read_bytes())
+
+    def test_a_json_map_cuts_like_a_drawing(self):
+        square = self.write('square.json', inputs.square_json_map())
+        self.succeed('bake', self.model, '--map', square, '-o', self.out)
+        self.succeed('check', self.out)
+
+    def test_a_recipe_names_its_maps_relative_to_itself(self):
+        self.write('recipes/map.svg', inputs.two_level_svg())
+        recipe = self.write('recipes/cube.json', b'{"levels": [{"map": "map.svg"}]}')
+        self.succeed('bake', self.model, '--recipe', recipe, '-o', self.out)
+        self.bake(out=self.dir / 'again.glb')
+        self.assertEqual((self.dir / 'again.glb').read_bytes(), self.out.read_bytes())
+
+    def test_the_report_tells_levels_findings_and_stages(self):
+        report = self.dir / 'report.json'
+        self.bake('--report', report)
+        told = json.loads(report.read_text())
+        self.assertEqual(told['source'], str(self.model))
+        cube, = told['objects']
+        self.assertEqual(cube['name'], 'cube')
+        self.assertEqual(cube['triangles'], 192)
+        self.assertEqual(cube['boundaryEdges'], 0)
+        self.assertAlmostEqual(cube['volume'], 1, 9)
+        self.assertAlmostEqual(cube['diagonal'], 3 ** 0.5, 6)
+        self.assertEqual([level['fragments'] for level in cube['levels']], [1, 2, 3])
+        self.assertEqual([level['components'] for level in cube['levels']], [1, 2, 3])
+        self.assertEqual([level['closed'] for level in cube['levels']], [1, 2, 3])
+        for level in cube['levels']:
+            self.assertGreater(level['volumeShare'], 0.98)
+            self.assertLess(level['volumeShare'], 1.0001)
+        self.assertIsInstance(cube['findings'], list)
+        self.assertTrue(all(stage['seconds'] >= 0 for stage in cube['stages']))
+
+    def test_what_is_degraded_is_told_in_table_and_report(self):
+        # A line that ends inside the chart separates nothing; beside a disc it is a finding.
+        loose = self.write('loose.svg', inputs.svg(
+            inputs.DISC + '<path d="M0.3 0.5 L0.4 0.5"/><text>here</text>'))
+        result = self.succeed('bake', self.model, '--map', loose, '-o', self.out, '--report',
+                              self.dir / 'report.json')
+        self.assertIn('text', result.stdout)
+        findings = json.loads((self.dir / 'report.json').read_text())['objects'][0]['findings']
+        self.assertTrue(any('text' in f['message'] for f in findings), findings)
+
+    def test_every_exported_piece_is_closed_and_named_by_level(self):
+        self.bake()
+        pieces = self.dir / 'new' / 'pieces'
+        result = self.succeed('export', self.out, '-o', pieces)
+        self.assertEqual(result.stderr, '')
+        self.assertEqual(result.stdout, f'6 files in {pieces}\n')
+        self.assertEqual(names(pieces), TWO_LEVELS)
+        for path in pieces.iterdir():
+            self.assertEqual(obj_check.why_not_closed(path), '', path.name)
+            self.assertGreater(obj_check.volume(path), 0, path.name)
+
+    def test_levels_fill_the_object(self):
+        self.bake()
+        self.succeed('export', self.out, '-o', self.dir / 'pieces')
+        for level in range(3):
+            total = sum(obj_check.volume(p)
+                        for p in (self.dir / 'pieces').glob(f'level{level}_*.obj'))
+            self.assertAlmostEqual(total, 1, 2)
+        self.assertAlmostEqual(obj_check.volume(self.dir / 'pieces/level0_fragment0.obj'), 1, 6)
+
+    def test_the_object_itself_keeps_its_corners(self):
+        self.bake()
+        self.succeed('export', self.out, '-o', self.dir / 'pieces')
+        positions, _ = obj_check.read_obj(self.dir / 'pieces/level0_fragment0.obj')
+        self.assertEqual(len(set(positions)), len(positions))
+        for corner in inputs.cube_mesh().positions:
+            self.assertIn(tuple('%.9g' % x for x in corner), positions)
+
+    def test_an_undivided_piece_is_repeated_at_the_deeper_level(self):
+        self.bake()
+        self.succeed('export', self.out, '-o', self.dir / 'pieces')
+        level = [[p.read_bytes() for p in sorted((self.dir / 'pieces').glob(f'level{k}_*'))]
+                 for k in range(3)]
+        self.assertEqual(len(set(level[1]) & set(level[2])), 1)
+
+    def test_exporting_twice_gives_the_same_files(self):
+        self.bake()
+        for folder in ('a', 'b', 'b'):
+            self.succeed('export', self.out, '-o', self.dir / folder)
+        for name in TWO_LEVELS:
+            self.assertEqual((self.dir / 'a' / name).read_bytes(),
+                             (self.dir / 'b' / name).read_bytes())
+
+    def test_several_objects_have_a_folder_each(self):
+        two = self.write('two.glb', inputs.two_cubes_glb())
+        self.bake(model=two)
+        self.succeed('check', self.out)
+        pieces = self.dir / 'pieces'
+        self.succeed('export', self.out, '-o', pieces)
+        self.assertEqual(names(pieces), [f'{o}/{n}' for o in ('left', 'right_one')
+                                         for n in TWO_LEVELS])
+        for path in pieces.rglob('*.obj'):
+            self.assertEqual(obj_check.why_not_closed(path), '', path)
+
+    def test_one_node_of_several_can_be_baked_alone(self):
+        two = self.write('two.glb', inputs.two_cubes_glb())
+        for node in ('right/one', '1'):
+            result = self.bake('--node', node, model=two)
+            self.assertIn('right/one', result.stdout)
+            self.assertNotIn('left', result.stdout)
+            self.succeed('export', self.out, '-o', self.dir / 'pieces')
+            self.assertEqual(names(self.dir / 'pieces'), TWO_LEVELS)
+
+    def test_an_obj_is_baked_into_a_glb_of_its_own(self):
+        obj = self.write('cube.obj', inputs.model_obj())
+        self.bake(model=obj)
+        self.succeed('check', self.out)
+        document, _ = inputs.unpack_glb(self.out.read_bytes())
+        self.assertEqual(document['extensionsUsed'], ['SHERD_mesh_fracture'])
+
+    def test_an_open_mesh_is_baked_when_asked_for(self):
+        model = self.write('open.glb', inputs.model_glb(inputs.open_cube_mesh()))
+        result = self.bake('--allow-open', model=model)
+        self.assertIn('open-mesh', result.stdout)
+        self.succeed('check', self.out)
+
+    def test_the_extension_is_used_but_never_required(self):
+        self.bake()
+        document, _ = inputs.unpack_glb(self.out.read_bytes())
+        self.assertIn('SHERD_mesh_fracture', document['extensionsUsed'])
+        self.assertNotIn('extensionsRequired', document)
+        source, _ = inputs.unpack_glb(self.model.read_bytes())
+        for key in ('meshes', 'scenes', 'images', 'textures', 'samplers'):
+            self.assertEqual(document[key], source[key], key)
+
+    def test_every_command_shows_examples(self):
+        for command in ('bake', 'layout', 'check', 'export'):
+            result = self.succeed(command, '--help')
+            self.assertIn('Example', result.stdout, command)
+            self.assertIn(f'sherd-bake {command}', result.stdout)
+            self.assertEqual(result.stderr, '')
+        whole = self.succeed('--help').stdout
+        for code in EXIT.values():
+            self.assertRegex(whole, rf'\b{code} ')
+        self.assertRegex(self.succeed('--version').stdout, r'^\d+\.\d+\.\d+\n$')
+
+
+class TheClosedChecker(CommandCase):
+    """The judge of the tests above is itself judged."""
+
+    def test_it_accepts_a_cube_and_refuses_each_way_of_breaking_it(self):
+        whole = inputs.model_obj().decode().splitlines()
+        path = self.write('cube.obj', inputs.model_obj())
+        self.assertEqual(obj_check.why_not_closed(path), '')
+        self.assertAlmostEqual(obj_check.volume(path), 1, 6)
+        last = whole[-1].split()
+        broken = {
+            'a missing face': whole[:-1],
+            'a doubled face': whole + [whole[-1]],
+            'a flipped face': whole[:-1] + [' '.join([last[0], last[1], last[3], last[2]])],
+            'a moved corner, one digit': [whole[0] + '1'] + whole[:0] + whole[1:],
+            'no faces': [line for line in whole if not line.startswith('f')],
+            'a face without area': whole + [' '.join(['f', last[1], last[2], last[1]])],
+        }
+        # A corner that moves moves all its faces: what breaks a mesh is a second place beside it.
+        count = sum(line.startswith('v ') for line in whole)
+        split = [line for line in whole if line.startswith('v ')] + [whole[0] + '1']
+        split += [line for line in whole if line.startswith('vt')]
+        faces = [line for line in whole if line.startswith('f')]
+        first = next(i for i, f in enumerate(faces) if ' 1/' in f)
+        faces[first] = faces[first].replace(' 1/', f' {count + 1}/')
+        broken['a moved corner, one digit'] = split + faces
+        for name, lines in broken.items():
+            path.write_text('\n'.join(lines) + '\n')
+            self.assertNotEqual(obj_check.why_not_closed(path), '', name)
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+"""`check` and `export` on files that are damaged, stale or were never baked."""
+import json
+import struct
+import unittest
+
+import inputs
+from command_case import CommandCase, EXIT
+
+COMPONENTS = {'SCALAR': 1, 'VEC2': 2, 'VEC3': 3, 'VEC4': 4}
+
+
+class DamagedFiles(CommandCase):
+    def setUp(self):
+        super().setUp()
+        self.model = self.write('cube.glb', inputs.model_glb())
+        self.map = self.write('map.svg', inputs.two_level_svg())
+        self.baked = self.dir / 'out.glb'
+        self.succeed('bake', self.model, '--map', self.map, '-o', self.baked, '--quiet')
+        self.document, self.binary = inputs.unpack_glb(self.baked.read_bytes())
+        self.fracture = self.document['extensions']['SHERD_mesh_fracture']['fractures'][0]
+
+    def place(self, accessor, element=0, component=0):
+        """Where in the binary chunk an accessor's number lies."""
+        a = self.document['accessors'][accessor]
+        view = self.document['bufferViews'][a['bufferView']]
+        size = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}[a['componentType']]
+        stride = view.get('byteStride', size * COMPONENTS[a['type']])
+        return (view.get('byteOffset', 0) + a.get('byteOffset', 0) + element * stride
+                + component * size)
+
+    def check_damaged(self, binary=None, document=None):
+        path = self.write('damaged.glb', inputs.pack_glb(document or self.document,
+                                                         bytes(binary or self.binary)))
+        result = self.run_bake('check', path)
+        said = f'exit {result.returncode}\n{result.stdout}{result.stderr}'
+        self.assertIn(result.returncode, (EXIT['CheckFailed'], EXIT['InvalidData']), said)
+        self.assertNotIn('check passed', result.stdout)
+        if result.returncode == EXIT['CheckFailed']:
+            self.assertIn('check FAILED', result.stdout)
+            self.assertRegex(result.stdout, r'FAILED \S+: cube')
+        else:
+            self.assertEqual(result.stdout, '')
+            self.assertIn('damaged.glb', result.stderr)
+        return result
+
+    def indices(self):
+        return self.fracture['geometry']['indices']
+
+    def positions(self):
+        return self.fracture['geometry']['attributes']['POSITION']
+
+    def position_of(self, index):
+        at = self.place(self.positions(), index)
+        return self.binary[at:at + 12]
+
+    def test_repacking_alone_changes_nothing(self):
+        path = self.write('repacked.glb', inputs.pack_glb(self.document, self.binary))
+        self.succeed('check', path)
+
+    def test_every_changed_index_is_noticed(self):
+        count = self.document['accessors'][self.indices()]['count']
+        vertices = self.document['accessors'][self.positions()]['count']
+        tried = 0
+        for element in range(0, count, max(1, count // 60)):
+            at = self.place(self.indices(), element)
+            for byte, flip in ((0, 0x01), (0, 0x80), (1, 0x01), (3, 0x80)):
+                damaged = bytearray(self.binary)
+                damaged[at + byte] ^= flip
+                before, = struct.unpack_from('<I', self.binary, at)
+                after, = struct.unpack_from('<I', damaged, at)
+                # Another vertex in the same place leaves the same surface.
+                if after < vertices and self.position_of(before) == self.position_of(after):
+                    continue
+                tried += 1
+                with self.subTest(element=element, byte=byte, flip=flip):
+                    self.check_damaged(damaged)
+        self.assertGreater(tried, 150)
+
+    def test_an_index_far_out_of_range_is_refused_with_its_place(self):
+        damaged = bytearray(self.binary)
+        at = self.place(self.indices(), 4)
+        damaged[at:at + 4] = b'\xff' * 4
+        self.assertIn('/fractures/0', self.check_damaged(damaged).stderr)
+
+    def test_a_position_that_is_no_number_is_noticed(self):
+        damaged = bytearray(self.binary)
+        struct.pack_into('<f', damaged, self.place(self.positions(), 3, 1), float('nan'))
+        self.check_damaged(damaged)
+
+    def test_a_hidden_point_outside_the_object_is_noticed(self):
+        last = self.document['accessors'][self.positions()]['count'] - 1
+        damaged = bytearray(self.binary)
+        struct.pack_into('<f', damaged, self.place(self.positions(), last, 1), 7.5)
+        self.check_damaged(damaged)
+
+    def test_a_wrong_mass_is_noticed(self):
+        mass = self.fracture['fragments']['attributes']['MASS']
+        damaged = bytearray(self.binary)
+        struct.pack_into('<f', damaged, self.place(mass, 1), 1e6)
+        self.check_damaged(damaged)
+
+    def test_a_changed_level_table_is_noticed(self):
+        document = json.loads(json.dumps(self.document))
+        levels = document['extensions']['SHERD_mesh_fracture']['fractures'][0]['levels']
+        levels[-1]['fragmentCount'] += 1
+        self.check_damaged(document=document)
+
+    def test_a_truncated_bake_is_refused_by_check_and_export(self):
+        whole = self.baked.read_bytes()
+        for length in (0, 3, 19, 200, len(whole) // 2, len(whole) - 1):
+            with self.subTest(length=length):
+                short = self.write('short.glb', whole[:length])
+                self.refuse(['check', short], 'Malformed', ['short.glb'])
+                self.refuse(['export', short, '-o', self.dir / 'pieces'], 'Malformed',
+                            ['short.glb'])
+
+    def test_the_source_moved_under_its_fragments_is_told(self):
+        primitive = self.document['meshes'][0]['primitives'][0]
+        damaged = bytearray(self.binary)
+        struct.pack_into('<f', damaged, self.place(primitive['attributes']['POSITION'], 0, 0), -.4)
+        path = self.write('stale.glb', inputs.pack_glb(self.document, bytes(damaged)))
+        result = self.run_bake('check', path)
+        self.assertEqual(result.returncode, EXIT['CheckFailed'], result.stdout + result.stderr)
+        self.assertIn('bake', result.stdout)
+
+    def test_the_report_as_json_tells_the_same(self):
+        told = json.loads(self.succeed('check', self.baked, '--json').stdout)
+        self.assertIs(told['passed'], True)
+        damaged = bytearray(self.binary)
+        damaged[self.place(self.indices(), 0)] ^= 1
+        path = self.write('damaged.glb', inputs.pack_glb(self.document, bytes(damaged)))
+        result = self.run_bake('check', path, '--json')
+        self.assertEqual(result.returncode, EXIT['CheckFailed'])
+        self.assertIs(json.loads(result.stdout)['passed'], False)
+
+
+class OtherFiles(CommandCase):
+    def test_a_file_never_baked_is_told_apart_from_a_broken_one(self):
+        model = self.write('cube.glb', inputs.model_glb())
+        self.refuse(['check', model], 'NoFractureSet', ['cube.glb', 'bake it first'])
+        self.refuse(['export', model, '-o', self.dir / 'pieces'], 'NoFractureSet', ['cube.glb'])
+
+    def test_missing_files_and_folders(self):
+        for command in (['check'], ['export', '-o', self.dir / 'pieces']):
+            self.refuse([*command, self.dir / 'gone.glb'], 'FileNotFound', ['gone.glb'])
+            (self.dir / 'folder').mkdir(exist_ok=True)
+            self.refuse([*command, self.dir / 'folder'], 'FileRead', ['folder'])
+
+    def test_no_model_at_all(self):
+        text = self.write('text.glb', b'this is no model')
+        self.refuse(['check', text], 'Malformed', ['text.glb'])
+        self.refuse(['export', text, '-o', self.dir / 'pieces'], 'Malformed', ['text.glb'])
+
+
+class ExportsThatCannotBeWritten(CommandCase):
+    def setUp(self):
+        super().setUp()
+        model = self.write('cube.glb', inputs.model_glb())
+        self.baked = self.dir / 'out.glb'
+        self.succeed('bake', model, '--map', self.write('map.svg', inputs.two_level_svg()), '-o',
+                     self.baked, '--quiet')
+
+    def test_a_file_in_the_place_of_the_folder(self):
+        self.write('file', b'a file')
+        for folder in ('file', 'file/below'):
+            self.refuse(['export', self.baked, '-o', self.dir / folder], 'FileWrite', [folder])
+
+    def test_a_folder_in_the_place_of_one_piece_keeps_all_others_from_being_written(self):
+        self.write('pieces/level2_fragment2.obj/kept.txt', b'kept')
+        self.refuse(['export', self.baked, '-o', self.dir / 'pieces'], 'FileWrite',
+                    ['level2_fragment2.obj', 'in the way'])
+
+
+if __name__ == '__main__':
+    unittest.main()
