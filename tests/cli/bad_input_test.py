@@ -169,13 +169,17 @@ class BadOutputs(CommandCase):
         self.write('file', b'a file')
         self.refuse_output(self.dir / 'file' / 'out.glb', ['not a directory'])
 
-    @unittest.skipIf(os.geteuid() == 0, 'root may write everywhere')
     def test_a_folder_one_may_not_write_to(self):
         folder = self.dir / 'locked'
-        folder.mkdir()
-        folder.chmod(0o500)
-        self.addCleanup(folder.chmod, 0o700)
+        folder.mkdir(0o555)
+        if os.geteuid() == 0:  # root may write everywhere: be somebody else
+            self.dir.chmod(0o777)
+            self.user = 65534
+            if not self.may_run():
+                self.skipTest('only root may run the program under test')
         self.refuse_output(folder / 'out.glb', ['permission'])
+        self.refuse_bake(self.model, [self.map], 'FileWrite', ['report.json', 'permission'],
+                         ['--report', folder / 'report.json'])
 
     def test_a_full_disk_leaves_nothing(self):
         result = self.run_bake('bake', self.model, '--map', self.map, '-o', '/dev/full')

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """`check` and `export` on files that are damaged, stale or were never baked."""
 import json
+import random
 import struct
 import unittest
 
@@ -105,6 +106,28 @@ class DamagedFiles(CommandCase):
         levels = document['extensions']['SHERD_mesh_fracture']['fractures'][0]['levels']
         levels[-1]['fragmentCount'] += 1
         self.check_damaged(document=document)
+
+    def test_no_flipped_byte_brings_any_command_down(self):
+        sane = set(EXIT.values()) - {EXIT['Internal']}
+        randomly = random.Random(20130601)
+        for name, commands in (('out.glb', (['check'], ['export', '-o', self.dir / 'pieces'])),
+                               ('cube.glb', (['bake', '--map', self.map, '-o', self.dir / 'b.glb'],
+                                             ['layout', '-o', self.dir / 'l.svg', '--force']))):
+            whole = (self.dir / name).read_bytes()
+            text = 20 + struct.unpack_from('<I', whole, 12)[0]
+            for k in range(40):
+                at = randomly.randrange(text if k % 2 else len(whole))
+                damaged = bytearray(whole)
+                damaged[at] ^= 1 << randomly.randrange(8)
+                path = self.write('flipped.glb', bytes(damaged))
+                for command in commands:
+                    with self.subTest(file=name, at=at, command=command[0]):
+                        result = self.run_bake(*command, path)
+                        said = f'{damaged[at]}: {result.stdout}{result.stderr}'
+                        self.assertIn(result.returncode, sane, said)
+                        if result.returncode not in (EXIT['Ok'], EXIT['CheckFailed']):
+                            self.assertEqual(result.stdout, '', said)
+                            self.assertNotEqual(result.stderr, '', said)
 
     def test_a_truncated_bake_is_refused_by_check_and_export(self):
         whole = self.baked.read_bytes()

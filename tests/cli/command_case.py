@@ -32,6 +32,7 @@ def snapshot(folder):
 
 class CommandCase(unittest.TestCase):
     maxDiff = 2000
+    user = None  # run the program as this user
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix='sherd_cli_')
@@ -46,7 +47,13 @@ class CommandCase(unittest.TestCase):
 
     def run_bake(self, *arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE):
         return subprocess.run([BAKE, *map(str, arguments)], stdout=stdout, stderr=stderr, text=True,
-                              timeout=120, check=False, cwd=self.dir)
+                              timeout=120, check=False, cwd=self.dir, user=self.user)
+
+    def may_run(self):
+        try:
+            return self.run_bake('--version').returncode == 0
+        except PermissionError:
+            return False
 
     def succeed(self, *arguments):
         result = self.run_bake(*arguments)
