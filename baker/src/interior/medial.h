@@ -23,6 +23,8 @@ struct MedialOptions {
 struct MedialSurface {
     std::vector<glm::vec3> points;  ///< inside the solid, or equal to the position itself
     double qhullSeconds = 0;        ///< wall time of the Delaunay triangulation
+    uint32_t throughWalls = 0;      ///< poles whose ball crossed a triangle, and was shrunk
+    uint32_t ballsInWalls = 0;  ///< of these: replaced by the tangent ball of the original surface
     uint32_t outsideBefore =
         0;  ///< vertices whose pole (after all smoothing) was outside or missing
     uint32_t outsideAfter = 0;    ///< vertices outside in the result: 0, counted again at the end

@@ -147,6 +147,23 @@ TEST_CASE("the inner points of a plate lie halfway through it") {
     }
 }
 
+TEST_CASE("the inner points of a shell thinner than its vertices are apart stay in its wall") {
+    Shape shell = icosphere({0, 0, 0}, 1, 3);  // edges of 0.14
+    Shape hollow = icosphere({0, 0, 0}, 0.95F, 3);
+    hollow.transform([](glm::vec3 p) {
+        return glm::vec3(0.8F * p.x - 0.6F * p.y, 0.6F * p.x + 0.8F * p.y, p.z);
+    });
+    for (auto& t : hollow.triangles) std::swap(t[0], t[1]);
+    shell.append(hollow);
+    const MedialSurface medial = medialOf(shell);
+    float farthest = 0;
+    for (size_t v = 0; v < medial.points.size(); ++v) {
+        farthest = std::max(farthest, glm::distance(medial.points[v], shell.positions[v]));
+    }
+    CHECK(farthest < 0.03F);  // half the wall is 0.025
+    CHECK(medial.throughWalls > 0);
+}
+
 TEST_CASE("the inner points of a capsule lie on its axis") {
     const std::vector<glm::vec3> points = medialOf(capsule(0.5F, 1.5F, 16)).points;
     const auto fromAxis = [](glm::vec3 p) { return std::sqrt(p.x * p.x + p.y * p.y); };
