@@ -224,6 +224,18 @@ Result<void> writeFiles(const BakeArguments& arguments, const BakedFile& baked) 
     return report.commit();
 }
 
+/// CLI::Range lets NaN pass.
+CLI::Validator inRange(double low, double high) {
+    const std::string range = CLI::detail::to_string(low) + " to " + CLI::detail::to_string(high);
+    const auto check = [low, high, range](const std::string& text) -> std::string {
+        double value = 0;
+        const bool number = CLI::detail::lexical_cast(text, value);
+        if (number && value >= low && value <= high) return {};
+        return text + " is not a number from " + range;
+    };
+    return {check, "FLOAT from " + range};
+}
+
 int runBake(const BakeArguments& arguments) {
     ProgressLine line(arguments.quiet);
     const Result<BakedFile> baked = bakeFiles(
@@ -270,17 +282,17 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         ->add_option(
             "--density", arguments->density,
             "kg/m3 (default " + std::to_string(static_cast<int>(defaults.physics.density)) + ")")
-        ->check(CLI::Range(1e-6, 1e9));
+        ->check(inRange(1e-6, 1e9));
     command
         ->add_option("--tolerance", arguments->curveTolerance,
                      "Largest distance between a curve and the line that replaces it, in UV units "
                      "(default 0.0001)")
-        ->check(CLI::Range(1e-7, 0.1));
+        ->check(inRange(1e-7, 0.1));
     command
         ->add_option("--seam-join", arguments->seamJoinShare,
                      "Join line ends across a chart border that are nearer than this share of the "
                      "object's diagonal (default 0.005)")
-        ->check(CLI::Range(0.0, 0.1));
+        ->check(inRange(0.0, 0.1));
     command->add_flag(
         "--allow-open", arguments->allowOpen,
         "Bake open and non-manifold meshes too; their pieces get a rim along the border");

@@ -58,6 +58,8 @@ std::string fileName(const std::string& name, size_t index) {
         const bool plain = std::isalnum(u) != 0 || c == '-' || c == '_' || c == '.' || u >= 0x80;
         out += plain ? c : '_';
     }
+    constexpr size_t kLongest = 100;  // file systems stop at 255 bytes, and suffixes follow
+    if (out.size() > kLongest) out.resize(kLongest);
     if (out.find_first_not_of('.') == std::string::npos) out = "object" + std::to_string(index);
     return out;
 }
@@ -103,8 +105,9 @@ class ObjWriter {
   private:
     void begin(const std::string& what) {
         text_ = "# " + what + " of " + clean(set_.name) + "\n";
-        attributeNumber_.assign(set_.geometry.positions.size(), 0);
-        placeOf_.assign(set_.geometry.positions.size(), 0);
+        attributeNumber_.resize(set_.geometry.positions.size(), 0);
+        placeOf_.resize(set_.geometry.positions.size(), 0);
+        for (const uint32_t v : order_) attributeNumber_[v] = placeOf_[v] = 0;  // of the one before
         positionNumber_.clear();
         places_.clear();
         order_.clear();

@@ -55,6 +55,9 @@ class Bake {
         if (!cutDone) return tl::unexpected(cutDone.error());
         if (!medialDone) return tl::unexpected(medialDone.error());
         stitchPieces(*medialDone);
+        if (auto ok = judgeMerged(components_, pieces_, report()); !ok) {
+            return tl::unexpected(ok.error());
+        }
         if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());
         assemble();
         return judgeFragments();
@@ -85,6 +88,7 @@ class Bake {
             report().findings.push_back({"import", warning, "", 1});
         for (const std::string& warning : map_.warnings)
             report().findings.push_back({"map", warning, "", 1});
+        if (auto ok = judgeSize(mesh_, diagonal_); !ok) return ok;
         meshTopology_ = buildTopology(mesh_.positions, mesh_.triangles);
         return judgeTopology(mesh_, meshTopology_, recipe_.allowOpen, report());
     }

@@ -9,6 +9,9 @@
 namespace sherd {
 namespace {
 
+/// More than any engine simulates; far beyond it a slip of the pen would fill the memory.
+constexpr uint32_t kMostPieces = 100000;
+
 std::string text(const char* format, auto... values) {
     std::array<char, 160> buffer{};
     std::snprintf(buffer.data(), buffer.size(), format, values...);
@@ -104,6 +107,13 @@ Result<void> judgeSeparation(const Components& components, BakedObjectReport& re
     for (uint32_t k = 1; k <= components.levels; ++k) {
         const uint32_t count = components.count[k - 1];
         report.levels[k].components = count;
+        if (count > kMostPieces) {
+            return fail(ErrorCode::limitExceeded,
+                        "the lines of level " + std::to_string(k) + " make " +
+                            std::to_string(count) + " components; a bake holds at most " +
+                            std::to_string(kMostPieces),
+                        "mesh \"" + report.name + "\"");
+        }
         if (count <= before) {
             return fail(ErrorCode::separatesNothing,
                         "the lines of level " + std::to_string(k) +
@@ -117,6 +127,41 @@ Result<void> judgeSeparation(const Components& components, BakedObjectReport& re
         before = count;
     }
     return {};
+}
+
+Result<void> judgeMerged(const Components& components, const MendedPieces& pieces,
+                         const BakedObjectReport& report) {
+    const std::string where = "mesh \"" + report.name + "\"";
+    if (pieces.empty > 0) {
+        return fail(
+            ErrorCode::invalidData,
+            std::to_string(pieces.empty) +
+                " pieces have no volume: the surface is flat or has no inside; give it a thickness",
+            where);
+    }
+    uint32_t before = report.parts;
+    for (uint32_t k = 1; k <= components.levels; ++k) {
+        if (components.count[k - 1] <= before) {
+            return fail(ErrorCode::separatesNothing,
+                        "all pieces that the lines of level " + std::to_string(k) +
+                            " separate are too small and were joined to their neighbours; draw "
+                            "larger ones or "
+                            "lower minimumComponentShare in a recipe",
+                        where);
+        }
+        before = components.count[k - 1];
+    }
+    return {};
+}
+
+Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal) {
+    constexpr double kSmallest = 1e-6;
+    constexpr double kLargest = 1e7;
+    if (diagonal >= kSmallest && diagonal <= kLargest) return {};
+    return fail(ErrorCode::limitExceeded,
+                "the object is " + text("%.4g", diagonal) +
+                    " m across; Sherd bakes objects from 1e-6 to 1e7 m: scale it to its true size",
+                "mesh \"" + mesh.name + "\"");
 }
 
 void reportCutting(const CutSurface& cut, BakedObjectReport& report) {
@@ -170,6 +215,16 @@ void reportFragments(const FractureSet& set, BakedObjectReport& report) {
             volume += set.fragments[f].volume;
         }
         entry.volumeShare = report.volume > 0 ? volume / report.volume : 0;
+    }
+    const double share = report.levels[1].volumeShare;
+    if (report.boundaryEdges == 0 && (share < 0.9 || share > 1.001)) {
+        report.findings.push_back(
+            {"volume",
+             "the pieces of level 1 hold " + text("%.4g %%", 100 * share) +
+                 " of the object's volume: its walls are too thin or its parts too close for the "
+                 "medial "
+                 "surface found; try fewer preSmoothing steps, or a finer mesh",
+             "", 1});
     }
 }
 

@@ -17,6 +17,13 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
 /// Refuses maps of which a level separates nothing. Fills the levels' component counts.
 Result<void> judgeSeparation(const Components& components, BakedObjectReport& report);
 
+/// The same after pieces were merged, and refuses objects of which no piece has a volume.
+Result<void> judgeMerged(const Components& components, const MendedPieces& pieces,
+                         const BakedObjectReport& report);
+
+/// Refuses sizes at which masses and moments of inertia do not fit a float.
+Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal);
+
 void reportCutting(const CutSurface& cut, BakedObjectReport& report);
 void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,
                   BakedObjectReport& report);

@@ -29,7 +29,9 @@ Result<InteriorMaterial> chooseInteriorMaterial(const GltfDocument& document,
     }
     std::string known;
     for (size_t i = 0; i < materials.size(); ++i) {
-        const std::string here = materials[i].is_object() ? materials[i].value("name", "") : "";
+        const bool named = materials[i].is_object() && materials[i].contains("name") &&
+                           materials[i]["name"].is_string();
+        const std::string here = named ? materials[i]["name"].get<std::string>() : "";
         if (here == name) return InteriorMaterial{static_cast<int32_t>(i), {}};
         known += (known.empty() ? "\"" : ", \"") + here + "\"";
     }

@@ -143,7 +143,7 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
     Json json;
     try {
         json = Json::parse(text, nullptr, true, true);
-    } catch (const Json::parse_error& e) {
+    } catch (const Json::exception& e) {
         return fail(ErrorCode::malformed, std::string("the recipe is not valid JSON: ") + e.what(),
                     name);
     }
@@ -172,6 +172,9 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
 
 Result<Recipe> readRecipe(const std::filesystem::path& path) {
     std::error_code status;
+    if (std::filesystem::is_directory(path, status)) {
+        return fail(ErrorCode::fileRead, "this is a directory, not a recipe", path.string());
+    }
     if (!std::filesystem::exists(path, status)) {
         return fail(ErrorCode::fileNotFound, "the recipe does not exist", path.string());
     }

@@ -14,6 +14,7 @@ namespace sherd {
 struct MendedPieces {
     uint32_t thinned = 0;            ///< pieces whose hidden points were moved towards the surface
     std::vector<MergedLeaf> merged;  ///< pieces that had no volume even so
+    uint32_t empty = 0;              ///< pieces without volume that could not even be merged
     std::vector<HiddenFace> faces;   ///< the stitched hidden faces of the final leaves
 };
 

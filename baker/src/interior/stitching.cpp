@@ -16,27 +16,27 @@ CornerRef below(uint32_t corner) {
     return {corner, 1};
 }
 
-/// Per leaf: the first level at which its component has a border, levels + 1 if never.
-std::vector<uint32_t> sheetLevels(const SplitSurface& surface, const MeshTopology& topology,
-                                  const Components& components) {
-    std::vector<std::vector<uint8_t>> hasBorder(components.levels);
-    for (uint32_t k = 1; k <= components.levels; ++k)
-        hasBorder[k - 1].assign(components.count[k - 1], 0);
+/// Per leaf: whether the part of the surface it belongs to is divided at all. Such a part is closed
+/// by sheets from level 1 on, even where only a deeper level divides it: so the pieces of a level
+/// add up to those of the level before, always.
+std::vector<uint8_t> inDividedParts(const SplitSurface& surface, const MeshTopology& topology,
+                                    const Components& components) {
+    UnionFind parts(components.leafCount);
+    std::vector<uint8_t> hasBorder(components.leafCount, 0);
     for (uint32_t h = 0; h < 3 * surface.triangles.size(); ++h) {
         const uint32_t leaf = components.leaf[h / 3];
         const uint32_t o = topology.opposite[h];
-        const uint32_t first =
-            o == kNone ? 1 : components.separatedFrom(leaf, components.leaf[o / 3]);
-        for (uint32_t k = first; k <= components.levels; ++k)
-            hasBorder[k - 1][components.at(k, leaf)] = 1;
+        if (o != kNone && components.leaf[o / 3] == leaf) continue;
+        hasBorder[leaf] = 1;
+        if (o != kNone) parts.unite(leaf, components.leaf[o / 3]);
     }
-    std::vector<uint32_t> levels(components.leafCount, components.levels + 1);
+    std::vector<uint8_t> divided(components.leafCount, 0);
     for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) {
-        for (uint32_t k = components.levels; k >= 1; --k) {
-            if (hasBorder[k - 1][components.at(k, leaf)] != 0) levels[leaf] = k;
-        }
+        if (hasBorder[leaf] != 0) divided[parts.find(leaf)] = 1;
     }
-    return levels;
+    for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf)
+        divided[leaf] = divided[parts.find(leaf)];
+    return divided;
 }
 
 /// The wall below the half edge p -> q: q, p, M(p), M(q). Both sides of a border take the same
@@ -63,15 +63,15 @@ void addWall(const SplitSurface& surface, uint32_t halfEdge, HiddenFace face,
 
 std::vector<HiddenFace> stitch(const SplitSurface& surface, const MeshTopology& topology,
                                const Components& components) {
-    const std::vector<uint32_t> sheetLevel = sheetLevels(surface, topology, components);
+    const std::vector<uint8_t> divided = inDividedParts(surface, topology, components);
     std::vector<HiddenFace> faces;
     faces.reserve(surface.triangles.size() + surface.triangles.size() / 4);
     for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
         const uint32_t leaf = components.leaf[t];
         HiddenFace face;
         face.leaf = leaf;
-        if (sheetLevel[leaf] <= components.levels) {
-            face.exposedFrom = sheetLevel[leaf];
+        if (divided[leaf] != 0) {
+            face.exposedFrom = 1;
             face.corners = {below(3 * t + 2), below(3 * t + 1), below(3 * t)};
             faces.push_back(face);
         }

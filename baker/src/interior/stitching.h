@@ -28,9 +28,9 @@ struct HiddenFace {
 };
 
 /// The hidden faces of all leaves, in the order of leaves' triangles. A wall shows from the level
-/// at which its two leaves part, a sheet from the level at which its component first has a border.
-/// A closed part that no line crosses has neither. Open borders of the mesh get a wall (a rim) of
-/// their own, exposed from level 1.
+/// at which its two leaves part, a sheet from level 1. A closed part that no line of any level
+/// divides has neither. Open borders of the mesh get a wall (a rim) of their own, exposed from
+/// level 1.
 std::vector<HiddenFace> stitch(const SplitSurface& surface, const MeshTopology& topology,
                                const Components& components);
 

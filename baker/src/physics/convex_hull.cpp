@@ -146,6 +146,20 @@ ColliderHull crumb(const glm::dvec3& at, double wantedMargin) {
     return out;
 }
 
+ColliderHull placed(const std::vector<glm::dvec3>& points, const Frame& frame) {
+    ColliderHull out;
+    for (const glm::dvec3& p : points) out.points.emplace_back(frame.center + frame.size * p);
+    return out;
+}
+
+/// Whether the points still do so once they are floats.
+bool spansVolume(const ColliderHull& hull, const Frame& frame) {
+    std::vector<glm::dvec3> unit;
+    for (const glm::vec3& p : hull.points)
+        unit.push_back((glm::dvec3(p) - frame.center) / frame.size);
+    return spanOf(unit).dimension == 3;
+}
+
 }  // namespace
 
 ColliderHull colliderHull(std::span<const glm::vec3> points, const HullOptions& options) {
@@ -160,12 +174,12 @@ ColliderHull colliderHull(std::span<const glm::vec3> points, const HullOptions& 
     const std::vector<HalfSpace> halfSpaces = supportingHalfSpaces(chosen);
     const double margin = std::min(setting / frame.size, 0.1 * thinnestExtent(chosen, halfSpaces));
 
-    ColliderHull out;
+    ColliderHull out = placed(shrinkHull(chosen, halfSpaces, margin), frame);
     out.margin = static_cast<float>(margin * frame.size);
-    for (const glm::dvec3& p : shrinkHull(chosen, halfSpaces, margin)) {
-        out.points.emplace_back(frame.center + frame.size * p);
-    }
-    return out;
+    if (spansVolume(out, frame)) return out;
+    // A needle may shrink to points that floats cannot tell apart: it keeps its corners and no
+    // margin.
+    return placed(chosen, frame);
 }
 
 }  // namespace sherd

@@ -96,21 +96,21 @@ std::vector<double> leafAreas(const SplitSurface& surface, const Components& com
     return areas;
 }
 
-glm::dvec3 placeOfLeaf(const SplitSurface& surface, const Components& components, uint32_t leaf) {
-    double largest = -1;
-    glm::dvec3 place(0.0);
+std::vector<glm::dvec3> placesOfLeaves(const SplitSurface& surface, const Components& components) {
+    std::vector<double> largest(components.leafCount, -1);
+    std::vector<glm::dvec3> places(components.leafCount, glm::dvec3(0.0));
     for (size_t t = 0; t < surface.triangles.size(); ++t) {
-        if (components.leaf[t] != leaf) continue;
         const auto& triangle = surface.triangles[t];
+        const uint32_t leaf = components.leaf[t];
         const double area = areaOf(surface, triangle);
-        if (area <= largest) continue;
-        largest = area;
-        place = (glm::dvec3(surface.positions[triangle.v[0]]) +
-                 glm::dvec3(surface.positions[triangle.v[1]]) +
-                 glm::dvec3(surface.positions[triangle.v[2]])) /
-                3.0;
+        if (area <= largest[leaf]) continue;
+        largest[leaf] = area;
+        places[leaf] = (glm::dvec3(surface.positions[triangle.v[0]]) +
+                        glm::dvec3(surface.positions[triangle.v[1]]) +
+                        glm::dvec3(surface.positions[triangle.v[2]])) /
+                       3.0;
     }
-    return place;
+    return places;
 }
 
 std::vector<MergedLeaf> mergeSmallLeaves(const SplitSurface& surface, const MeshTopology& topology,
@@ -123,12 +123,16 @@ std::vector<MergedLeaf> mergeSmallLeaves(const SplitSurface& surface, const Mesh
         std::vector<uint32_t> into(components.leafCount);
         std::iota(into.begin(), into.end(), 0U);
         std::vector<uint32_t> best;
+        std::vector<glm::dvec3> places;
         for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) {
             if (areas[leaf] >= minimumShare * total) continue;
-            if (best.empty()) best = bestNeighbours(surface, topology, components);
+            if (best.empty()) {
+                best = bestNeighbours(surface, topology, components);
+                places = placesOfLeaves(surface, components);
+            }
             if (best[leaf] == kNone) continue;
             into[leaf] = best[leaf];
-            merged.push_back({areas[leaf], placeOfLeaf(surface, components, leaf)});
+            merged.push_back({areas[leaf], places[leaf]});
             again = true;
         }
         if (again) mergeLeaves(components, into);

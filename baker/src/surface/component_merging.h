@@ -31,7 +31,7 @@ struct MergedLeaf {
 std::vector<MergedLeaf> mergeSmallLeaves(const SplitSurface& surface, const MeshTopology& topology,
                                          double minimumShare, Components& components);
 
-/// The centroid of the leaf's largest triangle: a place to point at in reports.
-glm::dvec3 placeOfLeaf(const SplitSurface& surface, const Components& components, uint32_t leaf);
+/// The centroid of each leaf's largest triangle: a place to point at in reports.
+std::vector<glm::dvec3> placesOfLeaves(const SplitSurface& surface, const Components& components);
 
 }  // namespace sherd

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/cut_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -43,15 +44,21 @@ bool isFaithfulSplit(const SurfaceMesh& mesh, const MeshTopology& before, const 
                      double tolerance) {
     std::vector<double> area(mesh.triangles.size(), 0);
     double total = 0;
+    double reach = 0;  // a coordinate is off by 2^-24 of its size, an area by that times an edge
     for (const SplitTriangle& t : cut.surface.triangles)
         area[t.source] += areaOf(cut.surface.positions, t.v);
+    for (const glm::vec3& p : mesh.positions) {
+        reach =
+            std::max({reach, std::abs(double{p.x}), std::abs(double{p.y}), std::abs(double{p.z})});
+    }
     for (size_t t = 0; t < area.size(); ++t) {
         if (before.degenerate[t] == 0) total += areaOf(mesh.positions, mesh.triangles[t]);
     }
     for (size_t t = 0; t < area.size(); ++t) {
         if (before.degenerate[t] != 0) continue;
-        if (std::abs(area[t] - areaOf(mesh.positions, mesh.triangles[t])) > tolerance * total)
-            return false;
+        const double whole = areaOf(mesh.positions, mesh.triangles[t]);
+        const double rounding = 1e-6 * reach * std::sqrt(total);
+        if (std::abs(area[t] - whole) > tolerance * total + rounding) return false;
     }
     for (const VertexOrigin& origin : cut.surface.origins) {
         const glm::dvec3& w = origin.weights;

@@ -46,6 +46,29 @@ FractureMap torusGrid() {
     return map;
 }
 
+/// Two separate unit cubes; the second's charts lie two tiles to the right of the first's.
+SurfaceMesh twoCubes() {
+    SurfaceMesh mesh = chartedCube(1, 3);
+    const SurfaceMesh other = chartedCube(1, 3);
+    const auto offset = static_cast<uint32_t>(mesh.positions.size());
+    for (const glm::vec3& p : other.positions) mesh.positions.push_back(p + glm::vec3(3, 0, 0));
+    const auto corners = static_cast<uint32_t>(mesh.attributes[0].values.size() / 3);
+    for (auto t : other.triangles)
+        mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+    for (auto c : other.corners)
+        mesh.corners.push_back({c[0] + corners, c[1] + corners, c[2] + corners});
+    mesh.triangleMaterials.resize(mesh.triangles.size(), 0);
+    for (size_t a = 0; a < mesh.attributes.size(); ++a) {
+        std::vector<float> values = other.attributes[a].values;
+        if (mesh.attributes[a].semantic == "TEXCOORD_0") {
+            for (size_t i = 0; i < values.size(); i += 2) values[i] += 2;  // a tile of its own
+        }
+        mesh.attributes[a].values.insert(mesh.attributes[a].values.end(), values.begin(),
+                                         values.end());
+    }
+    return mesh;
+}
+
 ErrorCode bakeError(const SurfaceMesh& mesh, const FractureMap& map, const Recipe& recipe = {}) {
     const Result<BakedObject> baked = bakeObject(mesh, map, recipe, 0);
     REQUIRE_FALSE(baked.has_value());
@@ -272,24 +295,7 @@ TEST_CASE(
 
 TEST_CASE(
     "two closed parts: a line on one leaves the other a piece of its own, without hidden faces") {
-    SurfaceMesh mesh = chartedCube(1, 3);
-    const SurfaceMesh other = chartedCube(1, 3);
-    const auto offset = static_cast<uint32_t>(mesh.positions.size());
-    for (const glm::vec3& p : other.positions) mesh.positions.push_back(p + glm::vec3(3, 0, 0));
-    const auto corners = static_cast<uint32_t>(mesh.attributes[0].values.size() / 3);
-    for (auto t : other.triangles)
-        mesh.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-    for (auto c : other.corners)
-        mesh.corners.push_back({c[0] + corners, c[1] + corners, c[2] + corners});
-    mesh.triangleMaterials.resize(mesh.triangles.size(), 0);
-    for (size_t a = 0; a < mesh.attributes.size(); ++a) {
-        std::vector<float> values = other.attributes[a].values;
-        if (mesh.attributes[a].semantic == "TEXCOORD_0") {
-            for (size_t i = 0; i < values.size(); i += 2) values[i] += 2;  // a tile of its own
-        }
-        mesh.attributes[a].values.insert(mesh.attributes[a].values.end(), values.begin(),
-                                         values.end());
-    }
+    const SurfaceMesh mesh = twoCubes();
     FractureMap map;
     addRing(map, 0.4, 1);
     const Result<BakedObject> baked = bakeObject(mesh, map, {}, 0);
@@ -300,6 +306,58 @@ TEST_CASE(
     float largest = 0;
     for (uint32_t f = 1; f < 4; ++f) largest = std::max(largest, baked->set.fragments[f].volume);
     CHECK(largest == doctest::Approx(1));  // the whole second cube
+}
+
+TEST_CASE("two parts cut from different levels on: what only level 2 divides adds up as well") {
+    // A part that was whole and solid at level 1 once had no sheet there, and a core at level 2.
+    SurfaceMesh mesh = twoCubes();
+    FractureMap map;
+    addRing(map, 0.4, 1);
+    for (FractureMap::Line line : std::vector<FractureMap::Line>(map.lines)) {
+        for (glm::dvec2& p : line.points) p.x += 2;
+        line.level = 2;
+        map.lines.push_back(line);
+    }
+    const CheckReport report = checkSet(mesh, map);
+    CHECK(report.passed());
+    CHECK(report.objects[0].levels[1].fragments == 3);
+    CHECK(report.objects[0].levels[2].fragments == 4);
+}
+
+TEST_CASE("an object far from its origin bakes into a file that passes the check") {
+    SurfaceMesh mesh = chartedCube(1, 3);
+    for (glm::vec3& p : mesh.positions) p.x += 65536;
+    FractureMap map;
+    addRing(map, 0.4, 1);
+    CHECK(checkSet(mesh, map).passed());
+}
+
+TEST_CASE("a level whose pieces are all too small is refused with that reason") {
+    FractureMap map;
+    addRing(map, 0.4, 1);
+    map.lines.push_back(
+        {{cubeUv(0, 0.5, 0.5), cubeUv(0, 0.501, 0.5), cubeUv(0, 0.5, 0.501), cubeUv(0, 0.5, 0.5)},
+         2,
+         "dot"});
+    Recipe recipe;
+    recipe.minimumComponentShare = 1e-3;
+    const Result<BakedObject> baked = bakeObject(chartedCube(1, 3), map, recipe, 0);
+    REQUIRE_FALSE(baked.has_value());
+    CHECK(baked.error().code == ErrorCode::separatesNothing);
+    CHECK(baked.error().message.find("too small") != std::string::npos);
+}
+
+TEST_CASE("sizes whose masses do not fit a float are refused with the size") {
+    for (const float size : {1e-9F, 1e12F}) {
+        CHECK(bakeError(chartedCube(size), twoRings()) == ErrorCode::limitExceeded);
+    }
+}
+
+TEST_CASE("a flat sheet has no inside, allowed open or not") {
+    Recipe recipe;
+    recipe.allowOpen = true;
+    CHECK(bakeError(flatSquare(4), linesOf({{{-0.1, 0.4}, {1.1, 0.4}}}), recipe) ==
+          ErrorCode::invalidData);
 }
 
 TEST_CASE(
