@@ -14,6 +14,8 @@ inline std::filesystem::path sharedDir() {
 }
 
 /// Whether real models are there at all. When they are, no case that uses them may be skipped.
-inline bool haveSharedModels() { return std::filesystem::is_directory(sharedDir() / "models"); }
+inline bool haveSharedModels() {
+    return std::filesystem::is_directory(sharedDir() / "models");
+}
 
 }  // namespace sherd::test

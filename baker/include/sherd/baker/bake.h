@@ -39,8 +39,8 @@ struct BakedFile {
     BakeReport report;
 };
 
-/// Bakes every mesh of a model along the same map and hangs the fracture sets on the model's document.
-/// Hidden faces get the recipe's interior material, or a neutral one that is added.
+/// Bakes every mesh of a model along the same map and hangs the fracture sets on the model's
+/// document. Hidden faces get the recipe's interior material, or a neutral one that is added.
 Result<BakedFile> bakeModel(const Model& model, const FractureMap& map, const Recipe& recipe,
                             const Progress& progress = {});
 

@@ -12,8 +12,9 @@
 namespace sherd {
 
 struct ImportOptions {
-    std::vector<std::string> nodes;  ///< names or indices of mesh nodes; empty: every mesh node of the default scene
-    uint32_t uvSet = 0;              ///< TEXCOORD_n in which lines are drawn
+    std::vector<std::string>
+        nodes;  ///< names or indices of mesh nodes; empty: every mesh node of the default scene
+    uint32_t uvSet = 0;  ///< TEXCOORD_n in which lines are drawn
 };
 
 /// A source model: the document (kept as it was; made here for OBJ) and one mesh per chosen node.

@@ -18,20 +18,22 @@ namespace sherd {
 /// that is a seam. Every attribute has the same vertex count.
 struct SurfaceMesh {
     std::string name;
-    int32_t node = -1;    ///< glTF node, -1 when not from glTF
-    int32_t mesh = -1;    ///< glTF mesh
-    RigidPose restPose;   ///< rigid part of the node's global transform; scale is applied to positions
-    std::vector<glm::vec3> positions;                  ///< distinct (bit-equal ones welded), finite
-    std::vector<std::array<uint32_t, 3>> triangles;    ///< into positions; degenerate ones are kept
-    std::vector<uint32_t> triangleMaterials;           ///< into materials
-    std::vector<int32_t> materials;                    ///< glTF material index, -1: default material
-    std::vector<std::array<uint32_t, 3>> corners;      ///< per triangle: into the attributes' vertices
-    std::vector<Attribute> attributes;                 ///< NORMAL always present (flat if the file has none)
-    std::string uvSemantic;                            ///< the UV set lines are drawn in; "" if the mesh has none
-    std::vector<std::string> warnings;                 ///< what the importer mended or dropped, a sentence each
+    int32_t node = -1;  ///< glTF node, -1 when not from glTF
+    int32_t mesh = -1;  ///< glTF mesh
+    RigidPose
+        restPose;  ///< rigid part of the node's global transform; scale is applied to positions
+    std::vector<glm::vec3> positions;                ///< distinct (bit-equal ones welded), finite
+    std::vector<std::array<uint32_t, 3>> triangles;  ///< into positions; degenerate ones are kept
+    std::vector<uint32_t> triangleMaterials;         ///< into materials
+    std::vector<int32_t> materials;                  ///< glTF material index, -1: default material
+    std::vector<std::array<uint32_t, 3>> corners;  ///< per triangle: into the attributes' vertices
+    std::vector<Attribute> attributes;  ///< NORMAL always present (flat if the file has none)
+    std::string uvSemantic;             ///< the UV set lines are drawn in; "" if the mesh has none
+    std::vector<std::string> warnings;  ///< what the importer mended or dropped, a sentence each
 };
 
 /// The attribute of that name, or null.
-const Attribute* findAttribute(const std::vector<Attribute>& attributes, const std::string& semantic);
+const Attribute* findAttribute(const std::vector<Attribute>& attributes,
+                               const std::string& semantic);
 
 }  // namespace sherd
