@@ -14,18 +14,6 @@ namespace sherd::cli {
 
 namespace {
 
-const char* label(Severity severity) {
-    switch (severity) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::failure:
-            return "FAILED";
-    }
-    return "FAILED";
-}
-
 void printObject(const ObjectReport& object) {
     std::printf("%-20s %6s %10s %12s %10s", "object", "level", "fragments", "closed", "volume");
     const bool coverage = object.levels[0].coverageNone >= 0;
@@ -55,8 +43,9 @@ void printReport(const CheckReport& report) {
         const std::string& name = report.objects[static_cast<size_t>(f.object)].name;
         const std::string who =
             f.fragment < 0 ? name : name + ", fragment " + std::to_string(f.fragment);
-        std::printf("%s %s: %s: %s [%s]\n", label(f.severity), f.code.c_str(), who.c_str(),
-                    f.message.c_str(), f.where.c_str());
+        std::printf("%s %s: %s: %s [%s]\n",
+                    f.severity == Severity::failure ? "FAILED" : nameOf(f.severity), f.code.c_str(),
+                    who.c_str(), f.message.c_str(), f.where.c_str());
     }
     if (report.findings.size() > kMost)
         std::printf("... and %zu more; --json lists them all\n", report.findings.size() - kMost);

@@ -18,6 +18,10 @@ std::string text(const char* format, auto... values) {
     return buffer.data();
 }
 
+std::string counted(uint32_t count, const char* what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 std::string at(const glm::dvec3& p) {
     return text("(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
 }
@@ -64,10 +68,10 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
         const std::string place = halfEdgePlace(mesh, topology.firstNonManifoldHalfEdge);
         if (!allowOpen) {
             return fail(ErrorCode::nonManifoldMesh,
-                        std::to_string(topology.nonManifoldEdges) +
-                            " edges are used by too many triangles or wound against each other, so "
-                            "the surface encloses "
-                            "no solid; mend the mesh, or bake it as it is with --allow-open",
+                        counted(topology.nonManifoldEdges, "edge") +
+                            " used by too many triangles or by triangles wound against each other, "
+                            "so the surface encloses no solid; mend the mesh, or bake it as it is "
+                            "with --allow-open",
                         place);
         }
         report.findings.push_back(
@@ -78,10 +82,9 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
         const std::string place = halfEdgePlace(mesh, topology.firstBoundaryHalfEdge);
         if (!allowOpen) {
             return fail(ErrorCode::openMesh,
-                        "the surface is open: " + std::to_string(topology.boundaryEdges) +
-                            " edges have a triangle on one side only; close the mesh, or bake it "
-                            "as it is with "
-                            "--allow-open (pieces then get a rim along the border)",
+                        "the surface is open: " + counted(topology.boundaryEdges, "edge") +
+                            " with a triangle on one side only; close the mesh, or bake it as it "
+                            "is with --allow-open (pieces then get a rim along the border)",
                         place);
         }
         report.findings.push_back(
@@ -117,11 +120,10 @@ Result<void> judgeSeparation(const Components& components, BakedObjectReport& re
         if (count <= before) {
             return fail(ErrorCode::separatesNothing,
                         "the lines of level " + std::to_string(k) +
-                            " separate nothing: the surface has " + std::to_string(count) +
-                            (count == 1 ? " component" : " components") +
+                            " separate nothing: the surface has " + counted(count, "component") +
                             " with and without them; draw lines that close around a piece, and "
-                            "that meet on both "
-                            "sides of every chart border they cross",
+                            "that meet on both sides of every chart border they cross; of a file "
+                            "with several objects bake those the map is for, with --node",
                         "mesh \"" + report.name + "\"");
         }
         before = count;
@@ -135,8 +137,8 @@ Result<void> judgeMerged(const Components& components, const MendedPieces& piece
     if (pieces.empty > 0) {
         return fail(
             ErrorCode::invalidData,
-            std::to_string(pieces.empty) +
-                " pieces have no volume: the surface is flat or has no inside; give it a thickness",
+            counted(pieces.empty, "piece") +
+                " without volume: the surface is flat or has no inside; give it a thickness",
             where);
     }
     uint32_t before = report.parts;

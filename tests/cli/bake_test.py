@@ -178,6 +178,16 @@ class Baking(CommandCase):
             self.assertAlmostEqual(total, 1, 2)
         self.assertAlmostEqual(obj_check.volume(self.dir / 'pieces/level0_fragment0.obj'), 1, 6)
 
+    def test_the_medial_surface_alone_bounds_what_the_pieces_leave_out(self):
+        self.bake()
+        self.succeed('export', self.out, '-o', self.dir / 'pieces')
+        self.succeed('export', self.out, '-o', self.dir / 'medial', '--medial')
+        self.assertEqual(names(self.dir / 'medial'), ['medial.obj'])
+        medial = self.dir / 'medial' / 'medial.obj'
+        self.assertEqual(obj_check.why_not_closed(medial), '')
+        pieces = sum(obj_check.volume(p) for p in (self.dir / 'pieces').glob('level1_*.obj'))
+        self.assertAlmostEqual(1 - pieces, obj_check.volume(medial), 6)
+
     def test_the_object_itself_keeps_its_corners(self):
         self.bake()
         self.succeed('export', self.out, '-o', self.dir / 'pieces')

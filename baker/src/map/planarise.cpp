@@ -9,9 +9,9 @@
 // A crossing that falls on a grid point is a grid node from the start, so an implicit crossing
 // never equals a grid point, and two implicit ones are equal only if they meet on a common support.
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
+#include "geometry/union_find.h"
 #include "map/planar_map.h"
 #include "map/segment_pairs.h"
 #include "map/segment_runs.h"
@@ -151,27 +151,8 @@ Stops orderStops(std::span<const Support> supports, const Crossings& crossings,
 
 /// Where several supports meet in one point, their pairwise crossings are one node: the lowest
 /// number stands for all.
-class SameNode {
-  public:
-    explicit SameNode(size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0U);
-    }
-    uint32_t find(uint32_t x) {
-        while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-        return x;
-    }
-    void unite(uint32_t x, uint32_t y) {
-        x = find(x);
-        y = find(y);
-        parent_[std::max(x, y)] = std::min(x, y);
-    }
-
-  private:
-    std::vector<uint32_t> parent_;
-};
-
-SameNode uniteEqualStops(const Stops& stops, size_t nodeCount) {
-    SameNode same(nodeCount);
+UnionFind uniteEqualStops(const Stops& stops, size_t nodeCount) {
+    UnionFind same(nodeCount);
     for (size_t s = 0; s + 1 < stops.first.size(); ++s)
         for (size_t k = stops.first[s] + 1; k < stops.first[s + 1]; ++k)
             if (stops.stops[k - 1].t == stops.stops[k].t)
@@ -181,7 +162,7 @@ SameNode uniteEqualStops(const Stops& stops, size_t nodeCount) {
 
 /// Fills in the nodes; returns the final number of each provisional one.
 std::vector<uint32_t> numberNodes(const Crossings& crossings, std::span<const GridPoint> gridPoints,
-                                  SameNode& same, PlanarMap& map) {
+                                  UnionFind& same, PlanarMap& map) {
     std::vector<uint32_t> number(gridPoints.size() + crossings.implicit.size());
     for (uint32_t i = 0; i < number.size(); ++i) {
         const uint32_t root = same.find(i);
@@ -232,7 +213,7 @@ Result<PlanarMap> planarise(const FractureMap& input) {
     sortUnique(gridPoints);
 
     const Stops stops = orderStops(map.supports, *crossings, gridPoints);
-    SameNode same = uniteEqualStops(stops, gridPoints.size() + crossings->implicit.size());
+    UnionFind same = uniteEqualStops(stops, gridPoints.size() + crossings->implicit.size());
     const std::vector<uint32_t> number = numberNodes(*crossings, gridPoints, same, map);
     addEdges(*runs, stops, number, map);
     return map;

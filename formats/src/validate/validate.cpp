@@ -52,18 +52,6 @@ void checkFresh(const nlohmann::json& document, std::span<const uint8_t> bin,
                      "/mesh");
 }
 
-const char* nameOf(Severity severity) {
-    switch (severity) {
-        case Severity::note:
-            return "note";
-        case Severity::warning:
-            return "warning";
-        case Severity::failure:
-            return "failure";
-    }
-    return "failure";
-}
-
 nlohmann::ordered_json levelJson(const LevelReport& level) {
     nlohmann::ordered_json out = {{"fragments", level.fragments},
                                   {"closed", level.closed},
@@ -93,6 +81,18 @@ void CheckContext::find(Severity severity, const char* code, int32_t fragment, s
                         const char* below) const {
     report.findings.push_back(
         {severity, code, std::move(message), object, fragment, pointer(below)});
+}
+
+const char* nameOf(Severity severity) {
+    switch (severity) {
+        case Severity::note:
+            return "note";
+        case Severity::warning:
+            return "warning";
+        case Severity::failure:
+            return "failure";
+    }
+    return "failure";
 }
 
 bool CheckReport::passed() const {

@@ -17,6 +17,9 @@ enum class Severity {
     failure,  ///< the file must not ship
 };
 
+/// "note", "warning" or "failure".
+const char* nameOf(Severity severity);
+
 /// One thing that `check` found. `code` is stable; programs may switch on it.
 struct Finding {
     Severity severity = Severity::failure;
