@@ -24,14 +24,17 @@ class Reader {
                 const std::map<std::string, Field>& fields) {
         if (!json.is_object()) return wrong(pointer, "must be an object");
         for (const auto& [key, value] : json.items()) {
+            const std::string here = std::string(pointer).append("/").append(key);
             const auto it = fields.find(key);
             if (it == fields.end()) {
                 std::string known;
-                for (const auto& [name, field] : fields)
-                    known += (known.empty() ? "" : ", ") + name;
-                return wrong(pointer + "/" + key, "is not a known key here; known are " + known);
+                for (const auto& [name, field] : fields) {
+                    known += known.empty() ? "" : ", ";
+                    known += name;
+                }
+                return wrong(here, "is not a known key here; known are " + known);
             }
-            if (!it->second(value, pointer + "/" + key)) return false;
+            if (!it->second(value, here)) return false;
         }
         return true;
     }

@@ -75,6 +75,12 @@ inline SurfaceMesh flatSquare(int cells) {
     return maker.mesh();
 }
 
+/// The UV of a point of face f of `chartedCube`, given along the face's two edges in [0, 1].
+inline glm::dvec2 cubeUv(int face, double s, double t) {
+    const int row = face / 3;
+    return {face % 3 / 4.0 + s * 0.2, row / 2.0 + t * 0.2};
+}
+
 /// The cube [0, size]^3, each face a chart of its own: face f covers UV [f % 3 / 4, + 0.2] x
 /// [f / 3 / 2, + 0.2], its two edges along u and v. Faces in order: +x, -x, +y, -y, +z, -z.
 inline SurfaceMesh chartedCube(float size = 1, int cells = 1) {
@@ -87,8 +93,7 @@ inline SurfaceMesh chartedCube(float size = 1, int cells = 1) {
             p[axis] = positive ? size : 0.0F;
             p[(axis + 1) % 3] = s * size;
             p[(axis + 2) % 3] = t * size;
-            const glm::vec2 origin(static_cast<float>(f % 3) / 4, static_cast<float>(f / 3) / 2);
-            return MeshMaker::Corner{p, origin + glm::vec2(s, t) * 0.2F};
+            return MeshMaker::Corner{p, cubeUv(f, s, t)};
         };
         for (int y = 0; y < cells; ++y) {
             for (int x = 0; x < cells; ++x) {
@@ -105,11 +110,6 @@ inline SurfaceMesh chartedCube(float size = 1, int cells = 1) {
         }
     }
     return maker.mesh();
-}
-
-/// The UV of a point of face f of `chartedCube`, given along the face's two edges in [0, 1].
-inline glm::dvec2 cubeUv(int face, double s, double t) {
-    return {face % 3 / 4.0 + s * 0.2, face / 3 / 2.0 + t * 0.2};
 }
 
 /// A torus of `around` x `along` quads whose chart is one square, with seams along both loops.

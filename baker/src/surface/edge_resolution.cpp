@@ -2,6 +2,7 @@
 #include "surface/edge_resolution.h"
 
 #include <algorithm>
+#include <compare>
 
 namespace sherd {
 namespace {
@@ -36,8 +37,7 @@ std::vector<RawPoint> collectPoints(const MeshTopology& topology,
     }
     std::sort(raw.begin(), raw.end(), [](const RawPoint& a, const RawPoint& b) {
         if (a.edge != b.edge) return a.edge < b.edge;
-        const auto order = a.t <=> b.t;
-        if (order != 0) return order < 0;
+        if (a.t != b.t) return std::is_lt(a.t <=> b.t);
         return a.cut != b.cut ? a.cut < b.cut : a.end < b.end;
     });
     return raw;

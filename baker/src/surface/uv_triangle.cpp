@@ -26,7 +26,7 @@ Result<std::vector<UvTriangle>> snapUv(const SurfaceMesh& mesh) {
     for (size_t i = 0; i < grid.size(); ++i) {
         const double u = uv->values[2 * i];
         const double v = uv->values[2 * i + 1];
-        constexpr double kLimit = kGridLimit / kGridOne;
+        constexpr double kLimit = static_cast<double>(kGridLimit) / kGridOne;
         if (!(std::abs(u) <= kLimit && std::abs(v) <= kLimit)) {
             return fail(
                 ErrorCode::limitExceeded,
