@@ -15,6 +15,7 @@
 #include "interior/piece_mending.h"
 #include "surface/component_merging.h"
 #include "surface/cut_surface.h"
+#include "surface/vertex_fans.h"
 
 namespace sherd {
 namespace {
@@ -90,7 +91,16 @@ class Bake {
             report().findings.push_back({"map", warning, "", 1});
         if (auto ok = judgeSize(mesh_, diagonal_); !ok) return ok;
         meshTopology_ = buildTopology(mesh_.positions, mesh_.triangles);
-        return judgeTopology(mesh_, meshTopology_, recipe_.allowOpen, report());
+        if (auto ok = judgeTopology(mesh_, meshTopology_, recipe_.allowOpen, report()); !ok)
+            return ok;
+        const uint32_t touching = separateFans(meshTopology_, mesh_);
+        if (touching > 0) {
+            meshTopology_ = buildTopology(mesh_.positions, mesh_.triangles);
+            report().findings.push_back(
+                {"touching", "solids that touch in a vertex or edge were told apart there", "",
+                 touching});
+        }
+        return {};
     }
 
     Result<MedialSurface> findMedial() {
@@ -221,7 +231,7 @@ class Bake {
         return std::move(result_);
     }
 
-    const SurfaceMesh& mesh_;
+    SurfaceMesh mesh_;  ///< a copy: vertices where solids touch are told apart
     const FractureMap& map_;
     const Recipe& recipe_;
     int32_t interiorMaterial_;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "support/surface_meshes.h"
 #include "surface/mesh_topology.h"
+#include "surface/vertex_fans.h"
 
 using namespace sherd;
 using namespace sherd::test;
@@ -62,6 +65,27 @@ TEST_CASE("two solids that touch along an edge stay apart there") {
         REQUIRE(topology.opposite[h] != kNone);
         CHECK(h / 3 / 4 == topology.opposite[h] / 3 / 4);  // glued within its own tetrahedron
     }
+}
+
+TEST_CASE("solids that touch at a vertex get one each, a single solid keeps its own") {
+    SurfaceMesh mesh = chartedCube();
+    const uint32_t vertices = static_cast<uint32_t>(mesh.positions.size());
+    CHECK(separateFans(buildTopology(mesh.positions, mesh.triangles), mesh) == 0);
+    // A second cube from (1, 1, 1) on: it shares that corner with the first.
+    for (size_t t = 0; t < 12; ++t) {
+        std::array<uint32_t, 3> moved{};
+        for (size_t k = 0; k < 3; ++k) {
+            const glm::vec3 p = mesh.positions[mesh.triangles[t][k]] + glm::vec3(1);
+            const auto known = std::find(mesh.positions.begin(), mesh.positions.end(), p);
+            moved[k] = static_cast<uint32_t>(known - mesh.positions.begin());
+            if (known == mesh.positions.end()) mesh.positions.push_back(p);
+        }
+        mesh.triangles.push_back(moved);
+    }
+    REQUIRE(mesh.positions.size() == 2 * vertices - 1);
+    CHECK(separateFans(buildTopology(mesh.positions, mesh.triangles), mesh) == 1);
+    CHECK(mesh.positions.size() == 2 * vertices);
+    CHECK(buildTopology(mesh.positions, mesh.triangles).boundaryEdges == 0);
 }
 
 TEST_CASE("an edge with three triangles is not manifold: two are glued, the third has a border") {
