@@ -275,9 +275,10 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
     command->add_option("--interior", arguments->interior, "How pieces are closed inside")
         ->check(CLI::IsMember({"medial"}))
         ->capture_default_str();
-    command->add_flag("--thesis", arguments->thesis,
-                      "Smooth the medial surface as Casella's thesis does: 10 steps before and 10 "
-                      "after (loses more volume)");
+    command->add_flag(
+        "--thesis", arguments->thesis,
+        "Casella's thesis to the letter: the medial surface smoothed 10 steps before and "
+        "after (loses more volume), line ends at seams paired in order and averaged");
     command
         ->add_option(
             "--density", arguments->density,

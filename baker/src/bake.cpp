@@ -121,7 +121,8 @@ class Bake {
         if (map_.lines.empty())
             return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
         Result<CutSurface> done =
-            cutSurface(mesh_, meshTopology_, map_, {recipe_.seamJoinShare * diagonal_});
+            cutSurface(mesh_, meshTopology_, map_,
+                       {recipe_.seamJoinShare * diagonal_, recipe_.interior.thesis});
         if (!done) return tl::unexpected(done.error());
 #ifdef SHERD_VALIDATE
         if (!isFaithfulSplit(mesh_, meshTopology_, *done, 1e-4)) {

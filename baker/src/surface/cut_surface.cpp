@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "surface/components.h"
+#include "surface/thesis_pairing.h"
 #include "surface/triangulation.h"
 
 namespace sherd {
@@ -25,15 +26,29 @@ Result<CutSurface> cutSurface(const SurfaceMesh& mesh, const MeshTopology& topol
     if (!uv) return tl::unexpected(uv.error());
     Result<PlanarMap> planar = planarise(map);
     if (!planar) return tl::unexpected(planar.error());
-    const std::vector<Cut> cuts = matchAll(*planar, *uv, topology.degenerate);
-    ResolvedEdges edges =
-        resolveEdges(topology, mesh.triangles, static_cast<uint32_t>(mesh.positions.size()), cuts);
+    std::vector<Cut> cuts = matchAll(*planar, *uv, topology.degenerate);
+    std::vector<Cut> unmoved;
+    const auto cutAlong = [&](std::span<const Cut> chosen, CutSurface& result) {
+        ResolvedEdges edges = resolveEdges(topology, mesh.triangles,
+                                           static_cast<uint32_t>(mesh.positions.size()), chosen);
+        result.seams =
+            joinAcrossSeams(topology, mesh.positions, mesh.triangles, *uv, chosen, options, edges);
+        return splitSurface(
+            {mesh.positions, mesh.triangles, topology, *uv, *planar, chosen, edges});
+    };
     CutSurface result;
-    result.seams =
-        joinAcrossSeams(topology, mesh.positions, mesh.triangles, *uv, cuts, options, edges);
     result.warnings = std::move(planar->warnings);
-    Result<SplitSurface> split =
-        splitSurface({mesh.positions, mesh.triangles, topology, *uv, *planar, cuts, edges});
+    if (options.thesisPairing) {
+        unmoved = cuts;
+        averageSeamPairs(topology, mesh.triangles, cuts);
+    }
+    Result<SplitSurface> split = cutAlong(cuts, result);
+    if (!split && options.thesisPairing) {
+        // A moved end may drag its line over another.
+        result.warnings.emplace_back(
+            "averaging line ends at seams made lines cross; it was left out");
+        split = cutAlong(unmoved, result);
+    }
     if (!split) return tl::unexpected(split.error());
     result.surface = std::move(*split);
     result.topology = buildTopology(result.surface.positions, vertexTriangles(result.surface));

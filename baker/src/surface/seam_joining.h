@@ -13,6 +13,8 @@ namespace sherd {
 
 struct SeamOptions {
     double joinDistance = 0;  ///< farthest apart, along the seam, that two ends are joined; metres
+    bool thesisPairing =
+        false;  ///< first pair and average the points of both sides, as the thesis does
 };
 
 /// A line that ends at a seam and goes on nowhere.

@@ -157,6 +157,16 @@ TEST_CASE(
         CHECK(r.cut.seams.joined == 2);
         CHECK(r.cut.seams.loose.empty());
     }
+    SUBCASE("averaged in order, as the thesis does") {
+        const SurfaceMesh cube = chartedCube();
+        const MeshTopology topology = buildTopology(cube.positions, cube.triangles);
+        const Result<CutSurface> cut = cutSurface(cube, topology, linesOf(ring), {0, true});
+        REQUIRE(cut.has_value());
+        CHECK(floodFill(cut->surface, cut->topology, 1).count[0] == 2);
+        CHECK(cut->seams.joined == 0);
+        CHECK(cut->seams.loose.empty());
+        CHECK(isFaithfulSplit(cube, topology, *cut, 1e-6));
+    }
     SUBCASE("too far apart") {
         const CutResult r = cutAndCheck(chartedCube(), linesOf(ring), 0.001);
         CHECK(r.count() == 1);
