@@ -170,9 +170,10 @@ class ReportFile {
 /// A bake may take long: what cannot be written at its end, or would overwrite somebody's work, is
 /// said at its start. The model itself may be the output: its document is kept.
 Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) {
+    // No other name: a model's own buffers and textures are inputs too.
     std::string kind = arguments.output.extension().string();
     for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (kind == ".gltf" || kind == ".obj") {
+    if (kind != ".glb") {
         return fail(ErrorCode::badArgument, "a bake is written as one .glb; name the output so",
                     arguments.output.string());
     }

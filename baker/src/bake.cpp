@@ -50,7 +50,8 @@ class Bake {
         if (auto ok = inspect(); !ok) return tl::unexpected(ok.error());
         // The medial surface depends on the mesh only, so it is computed beside the cutting.
         std::future<Result<MedialSurface>> medial =
-            std::async(std::launch::async, [this] { return findMedial(); });
+            std::async(recipe_.threads > 1 ? std::launch::async : std::launch::deferred,
+                       [this] { return findMedial(); });
         const Result<void> cutDone = cut();
         const Result<MedialSurface> medialDone = medial.get();
         if (!cutDone) return tl::unexpected(cutDone.error());
@@ -137,7 +138,7 @@ class Bake {
         components_ = floodFill(surface_, topology_, levels);
         report().splitTriangles = static_cast<uint32_t>(surface_.triangles.size());
         reportCutting(*done, report());
-        return judgeSeparation(components_, report());
+        return judgeSeparation(components_, *done, report());
     }
 
     /// Thesis steps 6 and 7: hidden points, and every component closed by its sheet and walls.
@@ -217,8 +218,10 @@ class Bake {
 
     /// The last proof, over the positions that are written: no fragment that fails it leaves here.
     Result<BakedObject> judgeFragments() {
-        const StageTimer timer = stage("proving closed", 0.95);
-        reportFragments(result_.set, report());
+        {
+            const StageTimer timer = stage("proving positions", 0.95);
+            reportFragments(result_.set, report());
+        }
         for (uint32_t level = 1; level <= components_.levels; ++level) {
             const BakedLevelReport& entry = report().levels[level];
             if (entry.closed == entry.fragments) continue;

@@ -36,6 +36,27 @@ std::string places(const std::vector<Item>& items, Place&& place) {
     return items.size() > kShown ? result + "; ..." : result;
 }
 
+std::string placeOf(const LooseEnd& end) {
+    return text("UV (%.5g, %.5g)", end.uv.x, end.uv.y) + " at " + at(end.position);
+}
+std::string placeOf(const glm::dvec2& uv) {
+    return text("UV (%.5g, %.5g)", uv.x, uv.y);
+}
+
+/// What most likely keeps lines from separating, for the refusal.
+std::string looseEnds(const CutSurface& cut) {
+    std::string result;
+    if (!cut.seams.loose.empty()) {
+        result.append(". Line ends without a continuation over a chart border: ")
+            .append(places(cut.seams.loose, [](const LooseEnd& e) { return placeOf(e); }));
+    }
+    if (!cut.deadEnds.empty()) {
+        result.append(". Lines ending in the surface: ")
+            .append(places(cut.deadEnds, [](const glm::dvec2& uv) { return placeOf(uv); }));
+    }
+    return result;
+}
+
 std::string halfEdgePlace(const SurfaceMesh& mesh, uint32_t halfEdge) {
     const auto& t = mesh.triangles[halfEdge / 3];
     return "mesh \"" + mesh.name + "\", triangle " + std::to_string(halfEdge / 3) + ", edge from " +
@@ -103,7 +124,8 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
     return {};
 }
 
-Result<void> judgeSeparation(const Components& components, BakedObjectReport& report) {
+Result<void> judgeSeparation(const Components& components, const CutSurface& cut,
+                             BakedObjectReport& report) {
     report.levels.resize(components.levels + 1);
     report.levels[0].components = report.parts = components.parts;
     uint32_t before = components.parts;
@@ -123,7 +145,8 @@ Result<void> judgeSeparation(const Components& components, BakedObjectReport& re
                             " separate nothing: the surface has " + counted(count, "component") +
                             " with and without them; draw lines that close around a piece, and "
                             "that meet on both sides of every chart border they cross; of a file "
-                            "with several objects bake those the map is for, with --node",
+                            "with several objects bake those the map is for, with --node" +
+                            looseEnds(cut),
                         "mesh \"" + report.name + "\"");
         }
         before = count;
@@ -169,14 +192,22 @@ Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal) {
 void reportCutting(const CutSurface& cut, BakedObjectReport& report) {
     for (const std::string& warning : cut.warnings)
         report.findings.push_back({"map", warning, "", 1});
-    if (cut.seams.loose.empty()) return;
-    report.findings.push_back(
-        {"loose-ends", "lines end at a chart border and go on nowhere on its other side",
-         places(cut.seams.loose,
-                [](const LooseEnd& e) {
-                    return text("UV (%.5f, %.5f)", e.uv.x, e.uv.y) + " at " + at(e.position);
-                }),
-         static_cast<uint32_t>(cut.seams.loose.size())});
+    if (cut.seams.averaged > 0) {
+        report.findings.push_back({"averaged", "pairs of line ends at seams were moved together",
+                                   "", cut.seams.averaged});
+    }
+    if (!cut.seams.loose.empty()) {
+        report.findings.push_back(
+            {"loose-ends", "lines end at a chart border and go on nowhere on its other side",
+             places(cut.seams.loose, [](const LooseEnd& e) { return placeOf(e); }),
+             static_cast<uint32_t>(cut.seams.loose.size())});
+    }
+    if (!cut.deadEnds.empty()) {
+        report.findings.push_back(
+            {"dead-ends", "lines end in the surface",
+             places(cut.deadEnds, [](const glm::dvec2& uv) { return placeOf(uv); }),
+             static_cast<uint32_t>(cut.deadEnds.size())});
+    }
 }
 
 void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,

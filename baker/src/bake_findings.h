@@ -15,7 +15,8 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
                            BakedObjectReport& report);
 
 /// Refuses maps of which a level separates nothing. Fills the levels' component counts.
-Result<void> judgeSeparation(const Components& components, BakedObjectReport& report);
+Result<void> judgeSeparation(const Components& components, const CutSurface& cut,
+                             BakedObjectReport& report);
 
 /// The same after pieces were merged, and refuses objects of which no piece has a volume.
 Result<void> judgeMerged(const Components& components, const MendedPieces& pieces,

@@ -18,6 +18,27 @@ double areaOf(const std::vector<glm::vec3>& positions, const std::array<uint32_t
                      glm::cross(glm::dvec3(positions[v[1]]) - a, glm::dvec3(positions[v[2]]) - a));
 }
 
+/// Where lines end in the middle of the surface.
+std::vector<glm::dvec2> deadEnds(const PlanarMap& map, std::span<const Cut> cuts) {
+    std::vector<uint32_t> degree(map.nodes.size(), 0);
+    for (const MapEdge& edge : map.edges) {
+        ++degree[edge.from];
+        ++degree[edge.to];
+    }
+    std::vector<uint32_t> nodes;
+    for (const Cut& cut : cuts) {
+        for (const CutEnd& end : {cut.from, cut.to}) {
+            if (end.where == CutEnd::Where::inside && degree[end.node] == 1)
+                nodes.push_back(end.node);
+        }
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    std::vector<glm::dvec2> places;
+    for (const uint32_t node : nodes) places.push_back(nodeUv(map, node));
+    return places;
+}
+
 }  // namespace
 
 Result<CutSurface> cutSurface(const SurfaceMesh& mesh, const MeshTopology& topology,
@@ -28,6 +49,7 @@ Result<CutSurface> cutSurface(const SurfaceMesh& mesh, const MeshTopology& topol
     if (!planar) return tl::unexpected(planar.error());
     std::vector<Cut> cuts = matchAll(*planar, *uv, topology.degenerate);
     std::vector<Cut> unmoved;
+    uint32_t averaged = 0;
     const auto cutAlong = [&](std::span<const Cut> chosen, CutSurface& result) {
         ResolvedEdges edges = resolveEdges(topology, mesh.triangles,
                                            static_cast<uint32_t>(mesh.positions.size()), chosen);
@@ -40,16 +62,19 @@ Result<CutSurface> cutSurface(const SurfaceMesh& mesh, const MeshTopology& topol
     result.warnings = std::move(planar->warnings);
     if (options.thesisPairing) {
         unmoved = cuts;
-        averageSeamPairs(topology, mesh.triangles, cuts);
+        averaged = averageSeamPairs(topology, mesh.triangles, *uv, cuts);
     }
     Result<SplitSurface> split = cutAlong(cuts, result);
     if (!split && options.thesisPairing) {
         // A moved end may drag its line over another.
         result.warnings.emplace_back(
             "averaging line ends at seams made lines cross; it was left out");
+        averaged = 0;
         split = cutAlong(unmoved, result);
     }
     if (!split) return tl::unexpected(split.error());
+    result.seams.averaged = averaged;
+    result.deadEnds = deadEnds(*planar, cuts);
     result.surface = std::move(*split);
     result.topology = buildTopology(result.surface.positions, vertexTriangles(result.surface));
     return result;

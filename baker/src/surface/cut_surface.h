@@ -14,6 +14,7 @@ struct CutSurface {
     SplitSurface surface;
     MeshTopology topology;  ///< of the split surface
     SeamReport seams;
+    std::vector<glm::dvec2> deadEnds;   ///< UV of line ends in the middle of the surface
     std::vector<std::string> warnings;  ///< of the planariser
 };
 

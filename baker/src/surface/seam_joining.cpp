@@ -53,13 +53,9 @@ class SeamJoiner {
     uint32_t startVertex(uint32_t h) const { return triangles_[h / 3][h % 3]; }
     static uint32_t next(uint32_t h) { return h - h % 3 + (h + 1) % 3; }
     uint32_t endVertex(uint32_t h) const { return startVertex(next(h)); }
-    GridPoint uvAt(uint32_t corner) const { return uv_[corner / 3].corner[corner % 3]; }
     bool isEdgePoint(uint32_t id) const { return id >= edges_.vertexCount; }
 
-    bool isSeam(uint32_t h) const {
-        const uint32_t o = topology_.opposite[h];
-        return o != kNone && (uvAt(h) != uvAt(next(o)) || uvAt(next(h)) != uvAt(o));
-    }
+    bool isSeam(uint32_t h) const { return isUvSeam(topology_, uv_, h); }
 
     /// Corners around a vertex that are connected without crossing a seam form a wedge.
     void findSeams() {

@@ -25,6 +25,7 @@ struct LooseEnd {
 
 struct SeamReport {
     uint32_t joined = 0;
+    uint32_t averaged = 0;  ///< pairs moved by `thesisPairing`
     std::vector<LooseEnd> loose;
 };
 

@@ -28,19 +28,30 @@ std::vector<LineParameter> distinct(std::span<const Place> places) {
     return result;
 }
 
-/// Averages strictly between 0 and 1 and strictly ascending, or nothing.
-std::vector<LineParameter> averages(std::span<const LineParameter> a,
-                                    std::span<const LineParameter> b) {
-    std::vector<LineParameter> result;
+bool ascendsInside(std::span<const LineParameter> t) {
+    for (size_t i = 0; i < t.size(); ++i) {
+        if (!t[i].insideOpen() || (i > 0 && !(t[i - 1] < t[i]))) return false;
+    }
+    return true;
+}
+
+/// Replaces both of every pair that is near enough by its average. Returns how many; none, with a
+/// and b as they were, if the order along the edge would change.
+uint32_t averagePairs(std::vector<LineParameter>& a, std::vector<LineParameter>& b) {
+    std::vector<LineParameter> newA = a;
+    std::vector<LineParameter> newB = b;
+    uint32_t moved = 0;
     for (size_t i = 0; i < a.size(); ++i) {
         const double x = a[i].approximate();
         const double y = b[i].approximate();
-        if (std::abs(x - y) > kFarthest) return {};
-        const LineParameter t{std::llround((x + y) / 2 * static_cast<double>(kGrain)), kGrain};
-        if (!t.insideOpen() || (!result.empty() && !(result.back() < t))) return {};
-        result.push_back(t);
+        if (a[i] == b[i] || std::abs(x - y) > kFarthest) continue;
+        newA[i] = newB[i] = {std::llround((x + y) / 2 * static_cast<double>(kGrain)), kGrain};
+        ++moved;
     }
-    return result;
+    if (!ascendsInside(newA) || !ascendsInside(newB)) return 0;
+    a = std::move(newA);
+    b = std::move(newB);
+    return moved;
 }
 
 void move(std::span<const Place> places, std::span<const LineParameter> from,
@@ -55,14 +66,15 @@ void move(std::span<const Place> places, std::span<const LineParameter> from,
 }  // namespace
 
 uint32_t averageSeamPairs(const MeshTopology& topology,
-                          std::span<const std::array<uint32_t, 3>> triangles, std::span<Cut> cuts) {
+                          std::span<const std::array<uint32_t, 3>> triangles,
+                          std::span<const UvTriangle> uv, std::span<Cut> cuts) {
     std::vector<Place> places;
     for (Cut& cut : cuts) {
         if (edgeAlong(cut) != 3) continue;
         for (CutEnd* end : {&cut.from, &cut.to}) {
             if (end->where != CutEnd::Where::edge) continue;
             const uint32_t h = 3 * cut.triangle + end->k;
-            if (topology.opposite[h] == kNone) continue;
+            if (!isUvSeam(topology, uv, h)) continue;
             const bool forward =
                 topology.edges[topology.halfEdgeEdge[h]].low == triangles[h / 3][h % 3];
             places.push_back({h,
@@ -90,12 +102,14 @@ uint32_t averageSeamPairs(const MeshTopology& topology,
         const std::span<const Place> there = ofHalfEdge(o);
         const std::vector<LineParameter> a = distinct(here);
         const std::vector<LineParameter> b = distinct(there);
-        if (a.size() != b.size() || a == b) continue;
-        const std::vector<LineParameter> both = averages(a, b);
-        if (both.empty()) continue;
-        move(here, a, both);
-        move(there, b, both);
-        moved += static_cast<uint32_t>(both.size());
+        if (a.size() != b.size()) continue;
+        std::vector<LineParameter> newA = a;
+        std::vector<LineParameter> newB = b;
+        const uint32_t count = averagePairs(newA, newB);
+        if (count == 0) continue;
+        move(here, a, newA);
+        move(there, b, newB);
+        moved += count;
     }
     return moved;
 }

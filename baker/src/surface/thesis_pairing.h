@@ -12,6 +12,7 @@ namespace sherd {
 /// Moves ends of cuts on seam edges, before anything is built on them. Returns how many pairs
 /// moved.
 uint32_t averageSeamPairs(const MeshTopology& topology,
-                          std::span<const std::array<uint32_t, 3>> triangles, std::span<Cut> cuts);
+                          std::span<const std::array<uint32_t, 3>> triangles,
+                          std::span<const UvTriangle> uv, std::span<Cut> cuts);
 
 }  // namespace sherd

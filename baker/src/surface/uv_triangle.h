@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "geometry/exact_grid.h"
 #include "sherd/baker/surface_mesh.h"
 #include "sherd/formats/result.h"
+#include "surface/mesh_topology.h"
 
 namespace sherd {
 
@@ -26,5 +28,8 @@ UvKind classify(const std::array<GridPoint, 3>& corner);
 /// Every triangle's UV snapped to the grid. Errors: noTextureCoordinates; limitExceeded where a
 /// coordinate is beyond the grid (8 tiles), with triangle and UV.
 Result<std::vector<UvTriangle>> snapUv(const SurfaceMesh& mesh);
+
+/// Whether the two triangles glued at a half edge have different UV there. False at a border.
+bool isUvSeam(const MeshTopology& topology, std::span<const UvTriangle> uv, uint32_t halfEdge);
 
 }  // namespace sherd

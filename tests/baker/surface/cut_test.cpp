@@ -174,6 +174,34 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("the thesis' averaging leaves edges that are no seams, and far pairs, alone") {
+    const SurfaceMesh square = flatSquare(1);
+    const MeshTopology topology = buildTopology(square.positions, square.triangles);
+    // Two lines end on the diagonal from its two sides, 0.4 % of its length apart.
+    const FractureMap lines = linesOf({{{0.2, 1.1}, {0.5, 0.5}}, {{0.502, 0.498}, {0.8, -0.1}}});
+    const Result<CutSurface> cut = cutSurface(square, topology, lines, {0, true});
+    REQUIRE(cut.has_value());
+    CHECK(cut->seams.averaged == 0);
+    CHECK(floodFill(cut->surface, cut->topology, 1).count[0] == 1);
+
+    std::vector<std::vector<glm::dvec2>> ring;
+    ring.push_back({cubeUv(0, -0.01, 0.43), cubeUv(0, 1.01, 0.404)});
+    ring.push_back({cubeUv(1, -0.01, 0.4), cubeUv(1, 1.01, 0.4)});
+    for (int face : {2, 3}) ring.push_back({cubeUv(face, 0.4, -0.01), cubeUv(face, 0.4, 1.01)});
+    const SurfaceMesh cube = chartedCube();
+    const MeshTopology cubeTopology = buildTopology(cube.positions, cube.triangles);
+    const Result<CutSurface> far = cutSurface(cube, cubeTopology, linesOf(ring), {0, true});
+    REQUIRE(far.has_value());
+    CHECK(far->seams.averaged == 1);  // 0.4 % apart at one seam, 3 % at the other
+    CHECK(far->seams.loose.size() == 2);
+}
+
+TEST_CASE("a line that ends in the surface is reported with its place") {
+    const CutResult r = cutAndCheck(flatSquare(3), linesOf({{{-0.1, 0.4}, {0.6, 0.45}}}));
+    REQUIRE(r.cut.deadEnds.size() == 1);
+    CHECK(r.cut.deadEnds[0].x == doctest::Approx(0.6));
+}
+
 TEST_CASE("line ends on both sides of a corner of a chart are joined around it") {
     // On one face the line leaves just before the corner, on the next it starts just after it, so
     // the stretch between lies on two seams.

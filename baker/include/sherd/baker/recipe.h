@@ -15,7 +15,7 @@ namespace sherd {
 struct InteriorSettings {
     bool thesis = false;    ///< the thesis' own: 10 Laplacian steps before and after, and
                             ///< line ends on both sides of a seam averaged in order
-    int preSmoothing = 10;  ///< 0..1000 steps before the medial surface is sought
+    int preSmoothing = 12;  ///< 0..1000 steps before the medial surface is sought
     int postSmoothing = 0;  ///< 0..1000 steps on the medial surface; each loses volume
     std::string material;   ///< name of a material of the model; empty: a neutral one is added
     double uvMetresPerTile =
