@@ -170,13 +170,6 @@ class ReportFile {
 /// A bake may take long: what cannot be written at its end, or would overwrite somebody's work, is
 /// said at its start. The model itself may be the output: its document is kept.
 Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) {
-    // No other name: a model's own buffers and textures are inputs too.
-    std::string kind = arguments.output.extension().string();
-    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (kind != ".glb") {
-        return fail(ErrorCode::badArgument, "a bake is written as one .glb; name the output so",
-                    arguments.output.string());
-    }
     std::vector<std::filesystem::path> inputs = {arguments.recipe};
     for (const RecipeLevel& level : recipe.levels) inputs.push_back(level.map);
     for (const std::filesystem::path* output : {&arguments.output, &arguments.report}) {
@@ -194,6 +187,16 @@ Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) 
         return fail(ErrorCode::badArgument,
                     "the report would overwrite the model or its bake; choose another name",
                     arguments.report.string());
+    }
+    // No other name: a model's own buffers and textures are inputs too.
+    std::string kind = arguments.output.extension().string();
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    std::error_code ignored;
+    const bool device = std::filesystem::exists(arguments.output, ignored) &&
+                        !std::filesystem::is_regular_file(arguments.output, ignored);
+    if (kind != ".glb" && !device) {
+        return fail(ErrorCode::badArgument, "a bake is written as one .glb; name the output so",
+                    arguments.output.string());
     }
     return {};
 }
