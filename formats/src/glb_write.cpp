@@ -363,7 +363,7 @@ Result<std::vector<uint8_t>> attachFractureSets(const GltfDocument& document,
         return fail(ErrorCode::limitExceeded,
                     "the file would exceed the 4 GiB that a GLB can hold");
     std::vector<uint8_t> glb = toGlb(*out);
-    // Nothing leaves this function that the runtime would refuse.
+    // Nothing leaves this function that the reader would refuse.
     if (auto readBack = readFractureSets(glb); !readBack)
         return fail(ErrorCode::invalidData,
                     "the fracture set is not valid: " + readBack.error().message,

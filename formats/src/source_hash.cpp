@@ -39,7 +39,11 @@ class Hasher {
 
     void primitive(const json& value) {
         mix(whole(member(value, "mode"), 4));
-        accessor(element(document_, "accessors", member(member(value, "attributes"), "POSITION")));
+        const json& attributes = member(value, "attributes");
+        if (attributes.is_object()) {  // in the order of their names
+            for (const auto& [name, index] : attributes.items())
+                accessor(element(document_, "accessors", index));
+        }
         accessor(element(document_, "accessors", member(value, "indices")));
         const json& draco = member(member(value, "extensions"), "KHR_draco_mesh_compression");
         wholeView(element(document_, "bufferViews", member(draco, "bufferView")));
@@ -73,9 +77,12 @@ class Hasher {
     }
 
     static uint64_t elementSize(const json& accessor) {
-        const uint64_t type = whole(member(accessor, "componentType"));
-        const uint64_t bytes = type >= 5125 ? 4 : type >= 5122 ? 2 : 1;
-        return member(accessor, "type") == "VEC3" ? 3 * bytes : bytes;
+        const uint64_t component = whole(member(accessor, "componentType"));
+        const uint64_t bytes = component >= 5125 ? 4 : component >= 5122 ? 2 : 1;
+        const json& type = member(accessor, "type");
+        if (type == "VEC2") return 2 * bytes;
+        if (type == "VEC3") return 3 * bytes;
+        return type == "VEC4" ? 4 * bytes : bytes;
     }
 
     void accessor(const json& value) {

@@ -92,6 +92,26 @@ void bakeAndCheck(const std::string& name, const std::vector<KnownMap>& known) {
 
 }  // namespace
 
+TEST_CASE("a real model bakes to the same bytes with one thread and with four") {
+    if (!haveSharedModels()) {
+        MESSAGE("skipped: no real models beside the checkout");
+        return;
+    }
+    // Large enough that every parallel stage hands work to several threads.
+    const Result<Model> model = importModel(sharedDir() / "models/dev/skull_41k_atlas.glb", {});
+    const Result<FractureMap> map =
+        readFractureMap(sharedDir() / "maps/skull_41k_atlas_34.svg", {});
+    REQUIRE((model.has_value() && map.has_value()));
+    Recipe one;
+    one.threads = 1;
+    Recipe four;
+    four.threads = 4;
+    const Result<BakedFile> a = bakeModel(*model, *map, one);
+    const Result<BakedFile> b = bakeModel(*model, *map, four);
+    REQUIRE((a.has_value() && b.has_value()));
+    CHECK(a->glb == b->glb);
+}
+
 TEST_CASE("every real model with maps gives at least the counted components, all closed") {
     if (!haveSharedModels()) {
         MESSAGE("skipped: no real models beside the checkout");
