@@ -109,6 +109,57 @@ class DamagedFiles(CommandCase):
         struct.pack_into('<f', damaged, self.place(mass, 1), 1e6)
         self.check_damaged(damaged)
 
+    def assert_found(self, code, accessor, element, component, change):
+        """That `check` names `code` once a float of the file is changed."""
+        damaged = bytearray(self.binary)
+        at = self.place(accessor, element, component)
+        before, = struct.unpack_from('<f', damaged, at)
+        struct.pack_into('<f', damaged, at, change(before))
+        with self.subTest(code=code, element=element, component=component):
+            self.assertIn(f'FAILED {code}: ', self.check_damaged(damaged).stdout)
+
+    def test_changed_physics_of_every_fragment_is_noticed(self):
+        table = self.fracture['fragments']
+        attributes = table['attributes']
+        for f in range(table['count']):
+            for c in range(3):
+                self.assert_found('inertia_wrong', attributes['INERTIA_DIAGONAL'], f, c,
+                                  lambda x: 1.05 * x)
+                self.assert_found('center_of_mass_wrong', attributes['CENTER_OF_MASS'], f, c,
+                                  lambda x: x + 0.05)
+        self.assert_found('density_wrong', attributes['DENSITY'], 0, 0, lambda x: 1.1 * x)
+
+    def test_changed_axes_of_inertia_are_noticed(self):
+        damaged = bytearray(self.binary)
+        orientation = self.fracture['fragments']['attributes']['INERTIA_ORIENTATION']
+        count = self.fracture['fragments']['count']
+        for f in range(count):
+            struct.pack_into('<4f', damaged, self.place(orientation, f), .5, .1, -.7, .5)
+        result = self.check_damaged(damaged)
+        # Any axes are those of the whole cube.
+        self.assertEqual(result.stdout.count('FAILED inertia_wrong: '), count - 1, result.stdout)
+
+    def test_changed_colliders_are_noticed(self):
+        hulls = self.fracture['hulls']
+        for h in range(hulls['count']):
+            self.assert_found('hull_outside', hulls['attributes']['MARGIN'], h, 0,
+                              lambda x: x + 0.1)
+        points = self.document['accessors'][hulls['points']]['count']
+        for point in range(0, points, max(1, points // 20)):
+            self.assert_found('hull_outside', hulls['points'], point, 1, lambda x: x + 3)
+
+    def test_changed_bonds_are_noticed(self):
+        bonds = self.fracture['bonds']
+        # Facing sheets bound what a bond may say; only walls would fix it.
+        for b in range(bonds['count']):
+            self.assert_found('bond_area', bonds['attributes']['AREA'], b, 0, lambda x: 1e3 * x)
+            self.assert_found('bond_centroid', bonds['attributes']['CENTROID'], b, 2,
+                              lambda x: x + 2)
+
+    def test_a_changed_normal_is_noticed(self):
+        normals = self.fracture['geometry']['attributes']['NORMAL']
+        self.assert_found('normal_not_unit', normals, 5, 0, lambda x: x + 1.5)
+
     def test_a_changed_level_table_is_noticed(self):
         document = json.loads(json.dumps(self.document))
         levels = document['extensions']['SHERD_mesh_fracture']['fractures'][0]['levels']

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
 #include <set>
 
 #include "sherd/formats/glb_read.h"
@@ -200,6 +202,57 @@ TEST_CASE("a wrong centre of mass is found") {
     CHECK(failures(set) == Codes{"center_of_mass_wrong"});
 }
 
+TEST_CASE("a wrong centre of mass of a parent is found, and nothing else") {
+    FractureSet set = makeFracturedCube(threeLevels());
+    set.fragments[2].centerOfMass.z += 0.01F;
+    CHECK(failures(set) == Codes{"center_of_mass_wrong"});
+}
+
+TEST_CASE("wrong moments and wrong axes of inertia are found at every level") {
+    for (const uint32_t f : {0U, 1U, 5U, 40U}) {
+        CAPTURE(f);
+        FractureSet set = makeFracturedCube(threeLevels());
+        set.fragments[f].inertiaDiagonal.y *= 1.02F;
+        CHECK(failures(set) == Codes{"inertia_wrong"});
+        set = makeFracturedCube(threeLevels());
+        set.fragments[f].inertiaDiagonal = glm::vec3(0.0F);
+        CHECK(failures(set) == Codes{"inertia_wrong"});
+        set = makeFracturedCube(threeLevels());
+        set.fragments[f].inertiaOrientation =
+            glm::angleAxis(0.3F, glm::normalize(glm::vec3(1, 2, 3)));
+        CHECK(failures(set) == Codes{"inertia_wrong"});
+    }
+}
+
+TEST_CASE("the same tensor by other axes is no fault") {
+    FractureSet set = makeFracturedCube(threeLevels());
+    for (Fragment& f : set.fragments) {
+        std::swap(f.inertiaDiagonal.x, f.inertiaDiagonal.y);
+        f.inertiaOrientation = glm::angleAxis(glm::radians(90.0F), glm::vec3(0, 0, 1));
+    }
+    CHECK(failures(set).empty());
+}
+
+TEST_CASE("a density that none of its children has is found") {
+    for (const float factor : {0.99F, 1.01F}) {
+        FractureSet set = makeFracturedCube(threeLevels());
+        set.fragments[1].density *= factor;
+        CHECK(failures(set) == Codes{"density_wrong"});
+    }
+}
+
+TEST_CASE("a cube far from the origin passes") {
+    FracturedCubeOptions options = threeLevels();
+    options.size = {1.0F, 2.0F, 0.5F};
+    FractureSet set = makeFracturedCube(options);
+    const glm::vec3 away(1024.0F, -2048.0F, 512.0F);  // corners stay exact
+    for (glm::vec3& p : set.geometry.positions) p += away;
+    for (glm::vec3& p : set.hullPoints) p += away;
+    for (Fragment& f : set.fragments) f.centerOfMass += away;
+    for (Bond& b : set.bonds) b.centroid += away;
+    CHECK(failures(set).empty());
+}
+
 TEST_CASE("a flat hull and a bond without area are found") {
     FractureSet set = makeFracturedCube(threeLevels());
     for (uint32_t i = 0; i < 8; ++i) set.hullPoints[8 * 5 + i].z = 0.1F;
@@ -220,6 +273,87 @@ TEST_CASE("a fragment without a collider is worth a warning") {
     REQUIRE(report.findings.size() == 1);
     CHECK(report.findings[0].code == "no_collider");
     CHECK(report.findings[0].fragment == 4);
+}
+
+TEST_CASE("a hull that leaves its fragment is found") {
+    FractureSet set = makeFracturedCube(threeLevels());
+    set.hullPoints[8 * 5].x -= 0.1F;
+    CHECK(failures(set) == Codes{"hull_outside"});
+    set = makeFracturedCube(threeLevels());
+    set.hulls[7].margin = 0.02F;
+    CHECK(failures(set) == Codes{"hull_outside"});
+    set = makeFracturedCube(threeLevels());
+    std::swap(set.fragments[3].hulls, set.fragments[4].hulls);
+    CHECK(failures(set) == Codes{"hull_outside"});
+}
+
+TEST_CASE("a hull that two fragments use, or that is far too small, is worth a warning") {
+    FractureSet set = makeFracturedCube(threeLevels());
+    set.fragments[6].hulls = set.fragments[5].hulls;
+    Codes codes;
+    for (const Finding& finding : checked(bake(set)).findings) codes.insert(finding.code);
+    CHECK(codes == Codes{"hull_outside", "hull_shared"});
+    set = makeFracturedCube(threeLevels());
+    const glm::vec3 center = set.fragments[2].centerOfMass;
+    for (uint32_t i = 8 * 2; i < 8 * 3; ++i)
+        set.hullPoints[i] = center + 0.2F * (set.hullPoints[i] - center);
+    const CheckReport report = checked(bake(set));
+    CHECK(report.passed());
+    REQUIRE(report.findings.size() == 1);
+    CHECK(report.findings[0].code == "hull_small");
+    CHECK(report.findings[0].fragment == 2);
+}
+
+TEST_CASE("a bond that is not the wall between its leaves is found") {
+    for (const float factor : {0.5F, 1.2F}) {
+        FractureSet set = makeFracturedCube(threeLevels());
+        set.bonds[4].area *= factor;
+        CHECK(failures(set) == Codes{"bond_area"});
+    }
+    FractureSet set = makeFracturedCube(threeLevels());
+    set.bonds[4].centroid.y += 0.05F;
+    CHECK(failures(set) == Codes{"bond_centroid"});
+    set = makeFracturedCube(threeLevels());
+    set.bonds[4].normal = -set.bonds[4].normal;
+    CHECK(failures(set) == Codes{"bond_normal"});
+    set = makeFracturedCube(threeLevels());
+    std::swap(set.bonds[4].a, set.bonds[4].b);
+    CHECK(failures(set) == Codes{"bond_normal"});
+    set.bonds[4].normal = -set.bonds[4].normal;
+    CHECK(failures(set).empty());
+}
+
+TEST_CASE("an anchor holds no more than the surface of its leaf, and lies at it") {
+    FracturedCubeOptions options = threeLevels();
+    options.anchorBottom = true;
+    FractureSet set = makeFracturedCube(options);
+    CHECK(failures(set).empty());
+    Bond* anchor = nullptr;
+    for (Bond& b : set.bonds)
+        if (b.b == -1) anchor = &b;
+    REQUIRE(anchor != nullptr);
+    anchor->area *= 20;
+    CHECK(failures(set) == Codes{"bond_area"});
+    anchor->area /= 20;
+    anchor->centroid.x += 1;
+    CHECK(failures(set) == Codes{"bond_centroid"});
+}
+
+TEST_CASE("walls without any bond are found, a single missing one is worth a warning") {
+    FractureSet set = makeFracturedCube(threeLevels());
+    set.bonds.pop_back();
+    const CheckReport report = checked(bake(set));
+    CHECK(report.passed());
+    REQUIRE(report.findings.size() == 1);
+    CHECK(report.findings[0].code == "bond_missing");
+    set.bonds.clear();
+    CHECK(failures(set) == Codes{"no_bonds"});
+}
+
+TEST_CASE("a normal that is no unit vector is found") {
+    FractureSet set = makeFracturedCube(threeLevels());
+    set.geometry.attributes[0].values[3 * 7 + 1] += 0.1F;
+    CHECK(failures(set) == Codes{"normal_not_unit"});
 }
 
 TEST_CASE("a wall cut differently on its two sides is closed but does not cancel") {

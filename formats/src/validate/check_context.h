@@ -30,7 +30,10 @@ std::string shortNumber(double value);
 void checkClosed(CheckContext& context);
 void checkLevelsAddUp(CheckContext& context);
 void checkMass(CheckContext& context);
-void checkHullsAndBonds(CheckContext& context);
+void checkCentersAndInertia(CheckContext& context);
+void checkHulls(CheckContext& context);
+void checkBonds(CheckContext& context);
+void checkNormals(CheckContext& context);
 void checkHiddenInside(CheckContext& context);
 void measureCoverage(CheckContext& context);
 

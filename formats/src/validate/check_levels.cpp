@@ -29,25 +29,6 @@ int32_t primitiveNotPassedOn(const FractureSet& set, uint32_t parent) {
     return -1;
 }
 
-struct Face {
-    std::array<uint32_t, 3> corners{};
-    int32_t sign = 0;
-};
-
-/// Corners in ascending order; the sign is that of the permutation.
-Face sortedFace(std::array<uint32_t, 3> corners) {
-    int32_t sign = 1;
-    const auto order = [&](int i, int j) {
-        if (corners[i] <= corners[j]) return;
-        std::swap(corners[i], corners[j]);
-        sign = -sign;
-    };
-    order(0, 1);
-    order(1, 2);
-    order(0, 1);
-    return {corners, sign};
-}
-
 /// Faces that dividing the parent exposes and that have no opposite.
 size_t facesWithoutOpposite(const FractureSet& set, const std::vector<uint32_t>& welded,
                             uint32_t parent) {

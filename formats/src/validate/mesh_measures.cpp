@@ -2,7 +2,10 @@
 #include "mesh_measures.h"
 
 #include <bit>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <utility>
 
 namespace sherd {
 
@@ -74,6 +77,9 @@ EdgeDefects EdgeBalance::defects() const {
 MeshMeasurer::MeshMeasurer(const FractureSet& set)
     : set_(set), welded_(weldEqualPositions(set.geometry.positions)) {}
 
+/// The integral over a closed mesh is the sum of those over the tetrahedra that its triangles span
+/// with any one point (A. M. Messner and G. Q. Taylor, Algorithm 550: Solid polyhedron measures,
+/// 1980); each is exact.
 MeshMeasures MeshMeasurer::measure(uint32_t fragment) {
     const std::vector<glm::vec3>& positions = set_.geometry.positions;
     size_t triangles = 0;
@@ -84,19 +90,58 @@ MeshMeasures MeshMeasurer::measure(uint32_t fragment) {
     });
     MeshMeasures result;
     glm::dvec3 moment(0);
+    glm::dvec3 squares(0);   // xx, yy, zz
+    glm::dvec3 products(0);  // yz, zx, xy
+    glm::dvec3 low(0);
+    glm::dvec3 high(0);
     balance_.begin(triangles);
     forEachTriangle(set_, fragment, [&](size_t, uint32_t a, uint32_t b, uint32_t c) {
         balance_.add(welded_[a], welded_[b], welded_[c]);
         const glm::dvec3 p = glm::dvec3(positions[a]) - origin;
         const glm::dvec3 q = glm::dvec3(positions[b]) - origin;
         const glm::dvec3 r = glm::dvec3(positions[c]) - origin;
+        const glm::dvec3 sum = p + q + r;
         const double six = glm::dot(p, glm::cross(q, r));
         result.volume += six / 6;
-        moment += six / 24 * (p + q + r);
+        moment += six / 24 * sum;
+        squares += six / 120 * (p * p + q * q + r * r + sum * sum);
+        const auto turned = [](const glm::dvec3& v) {
+            return glm::dvec3(v.y * v.z, v.z * v.x, v.x * v.y);
+        };
+        products += six / 120 * (turned(p) + turned(q) + turned(r) + turned(sum));
+        low = glm::min(glm::min(low, p), glm::min(q, r));
+        high = glm::max(glm::max(high, p), glm::max(q, r));
     });
     result.edges = balance_.defects();
-    result.centroid = origin + (result.volume != 0 ? moment / result.volume : glm::dvec3(0));
+    const glm::dvec3 center = result.volume != 0 ? moment / result.volume : glm::dvec3(0);
+    result.centroid = origin + center;
+    result.covariance = glm::dmat3(squares.x, products.z, products.y, products.z, squares.y,
+                                   products.x, products.y, products.x, squares.z) -
+                        result.volume * glm::outerProduct(center, center);
+    result.low = origin + low;
+    result.high = origin + high;
     return result;
+}
+
+Face sortedFace(std::array<uint32_t, 3> corners) {
+    int32_t sign = 1;
+    const auto order = [&](int i, int j) {
+        if (corners[i] <= corners[j]) return;
+        std::swap(corners[i], corners[j]);
+        sign = -sign;
+    };
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
+    return {corners, sign};
+}
+
+glm::dmat3 inertiaOf(const glm::dmat3& covariance) {
+    return glm::dmat3(covariance[0][0] + covariance[1][1] + covariance[2][2]) - covariance;
+}
+
+glm::dmat3 covarianceOf(const glm::dmat3& inertia) {
+    return glm::dmat3(0.5 * (inertia[0][0] + inertia[1][1] + inertia[2][2])) - inertia;
 }
 
 }  // namespace sherd

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -37,9 +38,23 @@ class EdgeBalance {
 
 struct MeshMeasures {
     EdgeDefects edges;
-    double volume = 0;       ///< m^3
-    glm::dvec3 centroid{0};  ///< of the volume
+    double volume = 0;         ///< m^3
+    glm::dvec3 centroid{0};    ///< of the volume
+    glm::dmat3 covariance{0};  ///< m^5: the integral of x x^T over the volume, x from the centroid
+    glm::dvec3 low{0};         ///< bounding box
+    glm::dvec3 high{0};
 };
+
+/// A triangle by its welded corners, in ascending order; the sign is that of the permutation.
+struct Face {
+    std::array<uint32_t, 3> corners{};
+    int32_t sign = 0;
+};
+Face sortedFace(std::array<uint32_t, 3> corners);
+
+/// Of unit density, from the integral of x x^T; and back.
+glm::dmat3 inertiaOf(const glm::dmat3& covariance);
+glm::dmat3 covarianceOf(const glm::dmat3& inertia);
 
 class MeshMeasurer {
   public:

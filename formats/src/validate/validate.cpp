@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Finding codes, stable for programs:
 //   failures: not_closed, volume_not_positive, volume_wrong, children_ranges, inner_faces_unpaired,
-//             volume_sum, mass_wrong, mass_sum, center_of_mass_wrong, hidden_outside, hull_flat,
-//             bond_area, stale
-//   warnings: no_collider     notes: object_open
+//             volume_sum, mass_wrong, mass_sum, density_wrong, center_of_mass_wrong, inertia_wrong,
+//             hidden_outside, hull_flat, hull_outside, bond_area, bond_centroid, bond_normal,
+//             no_bonds, normal_not_unit, stale
+//   warnings: no_collider, hull_small, hull_shared, bond_missing     notes: object_open
 #include "sherd/formats/validate.h"
 
 #include <algorithm>
@@ -113,7 +114,10 @@ void checkFractureSet(const FractureSet& set, const CheckOptions& options, int32
     checkClosed(context);
     checkLevelsAddUp(context);
     checkMass(context);
-    checkHullsAndBonds(context);
+    checkCentersAndInertia(context);
+    checkHulls(context);
+    checkBonds(context);
+    checkNormals(context);
     checkHiddenInside(context);
     if (options.coverage) measureCoverage(context);
     report.objects.push_back(std::move(out));
