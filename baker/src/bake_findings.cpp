@@ -256,7 +256,8 @@ void reportFragments(const FractureSet& set, BakedObjectReport& report) {
              "the pieces of level 1 hold " + text("%.4g %%", 100 * share) +
                  " of the object's volume: its walls are too thin or its parts too close for the "
                  "medial "
-                 "surface found; try fewer preSmoothing steps, or a finer mesh",
+                 "surface found; set \"interior\": {\"preSmoothing\": 1} in a recipe, or refine "
+                 "the mesh",
              "", 1});
     }
 }
