@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/triangle.h"
 #include "geometry/union_find.h"
 #include "geometry/weld.h"
 
@@ -53,7 +54,6 @@ ClosedReport proveByIds(std::span<const std::array<uint32_t, 3>> triangles) {
     ClosedReport report;
     const std::vector<DirectedEdge> edges = sortedEdges(triangles);
     UnionFind fan(triangles.size() * 3);  // corners around a vertex, joined over edges
-    const auto next = [](uint32_t c) { return c - c % 3 + (c + 1) % 3; };
     for (size_t i = 0; i < edges.size();) {
         size_t end = i;
         size_t forward = 0;
@@ -66,8 +66,8 @@ ClosedReport proveByIds(std::span<const std::array<uint32_t, 3>> triangles) {
         } else if (forward > 1) {
             ++report.repeatedEdges;
         } else {
-            fan.unite(edges[i].corner, next(edges[i + 1].corner));
-            fan.unite(next(edges[i].corner), edges[i + 1].corner);
+            fan.unite(edges[i].corner, nextCorner(edges[i + 1].corner));
+            fan.unite(nextCorner(edges[i].corner), edges[i + 1].corner);
         }
         i = end;
     }

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "interior/stitching.h"
 
+#include "geometry/triangle.h"
 #include "geometry/union_find.h"
 
 namespace sherd {
 namespace {
 
-uint32_t next(uint32_t corner) {
-    return corner - corner % 3 + (corner + 1) % 3;
-}
 CornerRef outer(uint32_t corner) {
     return {corner, 0};
 }
@@ -44,7 +42,7 @@ std::vector<uint8_t> inDividedParts(const SplitSurface& surface, const MeshTopol
 void addWall(const SplitSurface& surface, uint32_t halfEdge, HiddenFace face,
              std::vector<HiddenFace>& faces) {
     const uint32_t p = halfEdge;
-    const uint32_t q = next(halfEdge);
+    const uint32_t q = nextCorner(halfEdge);
     face.wall = true;
     const bool lowIsP = surface.triangles[p / 3].v[p % 3] < surface.triangles[q / 3].v[q % 3];
     if (lowIsP) {
@@ -99,8 +97,8 @@ std::vector<std::array<uint32_t, 3>> levelTopology(const SplitSurface& surface,
         if (components.at(level, components.leaf[h / 3]) !=
             components.at(level, components.leaf[o / 3]))
             continue;
-        fan.unite(h, next(o));
-        fan.unite(next(h), o);
+        fan.unite(h, nextCorner(o));
+        fan.unite(nextCorner(h), o);
     }
     std::vector<std::array<uint32_t, 3>> triangles;
     triangles.reserve(surface.triangles.size() + hidden.size());

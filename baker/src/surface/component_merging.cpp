@@ -6,14 +6,10 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/triangle.h"
+
 namespace sherd {
 namespace {
-
-double areaOf(const SplitSurface& surface, const SplitTriangle& t) {
-    const glm::dvec3 a = surface.positions[t.v[0]];
-    return 0.5 * glm::length(glm::cross(glm::dvec3(surface.positions[t.v[1]]) - a,
-                                        glm::dvec3(surface.positions[t.v[2]]) - a));
-}
 
 /// Where a chain of merges ends; small leaves may have chosen each other in a circle, whose lowest
 /// one then stands for all.
@@ -91,7 +87,7 @@ void mergeLeaves(Components& components, std::span<const uint32_t> into) {
 std::vector<double> leafAreas(const SplitSurface& surface, const Components& components) {
     std::vector<double> areas(components.leafCount, 0);
     for (size_t t = 0; t < surface.triangles.size(); ++t) {
-        areas[components.leaf[t]] += areaOf(surface, surface.triangles[t]);
+        areas[components.leaf[t]] += triangleArea(surface.positions, surface.triangles[t].v);
     }
     return areas;
 }
@@ -102,7 +98,7 @@ std::vector<glm::dvec3> placesOfLeaves(const SplitSurface& surface, const Compon
     for (size_t t = 0; t < surface.triangles.size(); ++t) {
         const auto& triangle = surface.triangles[t];
         const uint32_t leaf = components.leaf[t];
-        const double area = areaOf(surface, triangle);
+        const double area = triangleArea(surface.positions, triangle.v);
         if (area <= largest[leaf]) continue;
         largest[leaf] = area;
         places[leaf] = (glm::dvec3(surface.positions[triangle.v[0]]) +

@@ -3,20 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
+#include "geometry/triangle.h"
 #include "surface/components.h"
 #include "surface/thesis_pairing.h"
 #include "surface/triangulation.h"
 
 namespace sherd {
 namespace {
-
-double areaOf(const std::vector<glm::vec3>& positions, const std::array<uint32_t, 3>& v) {
-    const glm::dvec3 a = positions[v[0]];
-    return 0.5 * glm::length(
-                     glm::cross(glm::dvec3(positions[v[1]]) - a, glm::dvec3(positions[v[2]]) - a));
-}
 
 /// Where lines end in the middle of the surface.
 std::vector<glm::dvec2> deadEnds(const PlanarMap& map, std::span<const Cut> cuts) {
@@ -35,6 +29,7 @@ std::vector<glm::dvec2> deadEnds(const PlanarMap& map, std::span<const Cut> cuts
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     std::vector<glm::dvec2> places;
+    places.reserve(nodes.size());
     for (const uint32_t node : nodes) places.push_back(nodeUv(map, node));
     return places;
 }
@@ -86,17 +81,17 @@ bool isFaithfulSplit(const SurfaceMesh& mesh, const MeshTopology& before, const 
     double total = 0;
     double reach = 0;  // a coordinate is off by 2^-24 of its size, an area by that times an edge
     for (const SplitTriangle& t : cut.surface.triangles)
-        area[t.source] += areaOf(cut.surface.positions, t.v);
+        area[t.source] += triangleArea(cut.surface.positions, t.v);
     for (const glm::vec3& p : mesh.positions) {
         reach =
             std::max({reach, std::abs(double{p.x}), std::abs(double{p.y}), std::abs(double{p.z})});
     }
     for (size_t t = 0; t < area.size(); ++t) {
-        if (before.degenerate[t] == 0) total += areaOf(mesh.positions, mesh.triangles[t]);
+        if (before.degenerate[t] == 0) total += triangleArea(mesh.positions, mesh.triangles[t]);
     }
     for (size_t t = 0; t < area.size(); ++t) {
         if (before.degenerate[t] != 0) continue;
-        const double whole = areaOf(mesh.positions, mesh.triangles[t]);
+        const double whole = triangleArea(mesh.positions, mesh.triangles[t]);
         const double rounding = 1e-6 * reach * std::sqrt(total);
         if (std::abs(area[t] - whole) > tolerance * total + rounding) return false;
     }

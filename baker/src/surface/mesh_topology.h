@@ -29,10 +29,6 @@ struct MeshTopology {
     uint32_t pinchedEdges = 0;      ///< edges used twice or more in each direction: glued in pairs
     uint32_t firstBoundaryHalfEdge = kNone;     ///< for messages
     uint32_t firstNonManifoldHalfEdge = kNone;  ///< for messages
-
-    uint32_t halfEdgeStart(std::span<const std::array<uint32_t, 3>> triangles, uint32_t h) const {
-        return triangles[h / 3][h % 3];
-    }
 };
 
 /// Glues half edges. An edge used n times in each direction (solids touching along an edge) is

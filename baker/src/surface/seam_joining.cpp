@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "geometry/triangle.h"
 #include "geometry/union_find.h"
 
 namespace sherd {
@@ -51,8 +52,7 @@ class SeamJoiner {
 
   private:
     uint32_t startVertex(uint32_t h) const { return triangles_[h / 3][h % 3]; }
-    static uint32_t next(uint32_t h) { return h - h % 3 + (h + 1) % 3; }
-    uint32_t endVertex(uint32_t h) const { return startVertex(next(h)); }
+    uint32_t endVertex(uint32_t h) const { return startVertex(nextCorner(h)); }
     bool isEdgePoint(uint32_t id) const { return id >= edges_.vertexCount; }
 
     bool isSeam(uint32_t h) const { return isUvSeam(topology_, uv_, h); }
@@ -67,15 +67,15 @@ class SeamJoiner {
                 seamsAtVertex_[startVertex(h)].push_back(h);
                 seamsAtVertex_[endVertex(h)].push_back(h);
             } else {
-                wedges_.unite(h, next(o));
-                wedges_.unite(next(h), o);
+                wedges_.unite(h, nextCorner(o));
+                wedges_.unite(nextCorner(h), o);
             }
         }
     }
 
     /// The wedge at vertex v beside half edge h, which touches v.
     uint32_t wedgeBeside(uint32_t h, uint32_t v) {
-        return wedges_.find(startVertex(h) == v ? h : next(h));
+        return wedges_.find(startVertex(h) == v ? h : nextCorner(h));
     }
 
     void collectEnds() {

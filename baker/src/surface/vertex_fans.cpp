@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "surface/vertex_fans.h"
 
+#include "geometry/triangle.h"
 #include "geometry/union_find.h"
 
 namespace sherd {
 
 uint32_t separateFans(const MeshTopology& topology, SurfaceMesh& mesh) {
-    const auto next = [](uint32_t corner) { return corner - corner % 3 + (corner + 1) % 3; };
     const auto cornerCount = static_cast<uint32_t>(3 * mesh.triangles.size());
     UnionFind fans(cornerCount);
     for (uint32_t h = 0; h < cornerCount; ++h) {
         const uint32_t o = topology.opposite[h];
         if (o == kNone || o < h) continue;
-        fans.unite(h, next(o));
-        fans.unite(next(h), o);
+        fans.unite(h, nextCorner(o));
+        fans.unite(nextCorner(h), o);
     }
     // The first fan of a vertex keeps it.
     std::vector<uint32_t> owner(mesh.positions.size(), kNone);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Small questions about one triangle of an indexed mesh.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+namespace sherd {
+
+/// The corner after corner 3 * triangle + k of the same triangle; likewise for half edges.
+constexpr uint32_t nextCorner(uint32_t corner) {
+    return corner - corner % 3 + (corner + 1) % 3;
+}
+
+/// In double, in the square of the positions' unit.
+inline double triangleArea(std::span<const glm::vec3> positions, const std::array<uint32_t, 3>& v) {
+    const glm::dvec3 a = positions[v[0]];
+    return 0.5 * glm::length(
+                     glm::cross(glm::dvec3(positions[v[1]]) - a, glm::dvec3(positions[v[2]]) - a));
+}
+
+}  // namespace sherd
