@@ -15,9 +15,10 @@ struct ImportOptions {
     std::vector<std::string>
         nodes;  ///< names or indices of mesh nodes; empty: every mesh node of the default scene
     uint32_t uvSet = 0;  ///< TEXCOORD_n in which lines are drawn
+    bool join = false;   ///< the chosen nodes become one object, hung on the first of them
 };
 
-/// A source model: the document (kept as it was; made here for OBJ) and one mesh per chosen node.
+/// A source model: the document (kept as it was; made here for OBJ) and one mesh per object.
 struct Model {
     GltfDocument document;
     std::vector<SurfaceMesh> meshes;

@@ -100,6 +100,8 @@ struct FractureLevel {
 struct FractureSet {
     std::string name;
     int32_t node = -1;       ///< glTF node that carries the intact mesh
+    std::vector<int32_t> sameNodes;    ///< further nodes that show the same mesh at the same scale
+    std::vector<int32_t> joinedNodes;  ///< further nodes whose meshes are part of this object
     int32_t mesh = -1;       ///< glTF mesh of the intact object
     std::string sourceHash;  ///< hash of the source mesh, to notice a stale set
     RigidPose restPose;
