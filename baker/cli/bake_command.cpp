@@ -83,16 +83,16 @@ Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
     return recipe;
 }
 
-Result<FractureMap> readMaps(const Recipe& recipe) {
-    std::vector<FractureMap> maps;
+Result<FracturePlan> readPlan(const Recipe& recipe) {
+    std::vector<FracturePlan> levels;
     for (const RecipeLevel& level : recipe.levels) {
         MapReadOptions options;
         options.tolerance = recipe.curveTolerance;
         Result<FractureMap> map = readFractureMap(level.map, options);
-        if (!map) return map;
-        maps.push_back(std::move(*map));
+        if (!map) return tl::unexpected(map.error());
+        levels.emplace_back().drawings.push_back({std::move(*map), {}});
     }
-    return combineMaps(std::move(maps));
+    return stackLevels(std::move(levels));
 }
 
 void printTable(const BakeReport& report) {
@@ -209,9 +209,9 @@ Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& prog
     progress("reading", 0);
     const Result<Model> model = importModel(arguments.model, arguments.import);
     if (!model) return tl::unexpected(model.error());
-    const Result<FractureMap> map = readMaps(*recipe);
-    if (!map) return tl::unexpected(map.error());
-    Result<BakedFile> baked = bakeModel(*model, *map, *recipe, progress);
+    const Result<FracturePlan> plan = readPlan(*recipe);
+    if (!plan) return tl::unexpected(plan.error());
+    Result<BakedFile> baked = bakeModel(*model, *plan, *recipe, progress);
     if (!baked) {
         Error error = baked.error();
         error.where = arguments.model.string() + (error.where.empty() ? "" : ", ") + error.where;

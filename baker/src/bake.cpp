@@ -38,10 +38,10 @@ double diagonalOf(const SurfaceMesh& mesh) {
 /// One object's bake: what the stages hand to each other.
 class Bake {
   public:
-    Bake(const SurfaceMesh& mesh, const FractureMap& map, const Recipe& recipe,
+    Bake(const SurfaceMesh& mesh, const FracturePlan& plan, const Recipe& recipe,
          int32_t interiorMaterial, const Progress& progress)
         : mesh_(mesh),
-          map_(map),
+          plan_(plan),
           recipe_(recipe),
           interiorMaterial_(interiorMaterial),
           progress_(progress) {}
@@ -88,8 +88,10 @@ class Bake {
         report().diagonal = diagonal_ = diagonalOf(mesh_);
         for (const std::string& warning : mesh_.warnings)
             report().findings.push_back({"import", warning, "", 1});
-        for (const std::string& warning : map_.warnings)
-            report().findings.push_back({"map", warning, "", 1});
+        for (const FracturePlan::Drawing& drawing : plan_.drawings) {
+            for (const std::string& warning : drawing.map.warnings)
+                report().findings.push_back({"map", warning, "", 1});
+        }
         if (auto ok = judgeSize(mesh_, diagonal_); !ok) return ok;
         meshTopology_ = buildTopology(mesh_.positions, mesh_.triangles);
         if (auto ok = judgeTopology(mesh_, meshTopology_, recipe_.allowOpen, report()); !ok)
@@ -119,11 +121,9 @@ class Bake {
     /// Thesis steps 1 to 5: the surface is cut into components.
     Result<void> cut() {
         const StageTimer timer = stage("cutting", 0.1);
-        if (map_.lines.empty())
-            return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
         Result<CutSurface> done =
-            cutSurface(mesh_, meshTopology_, map_,
-                       {recipe_.seamJoinShare * diagonal_, recipe_.interior.thesis});
+            cutSurface(mesh_, meshTopology_, plan_,
+                       {{recipe_.seamJoinShare * diagonal_, recipe_.interior.thesis}});
         if (!done) return tl::unexpected(done.error());
 #ifdef SHERD_VALIDATE
         if (!isFaithfulSplit(mesh_, meshTopology_, *done, 1e-4)) {
@@ -133,9 +133,9 @@ class Bake {
 #endif
         surface_ = std::move(done->surface);
         topology_ = std::move(done->topology);
-        uint32_t levels = 1;
-        for (const FractureMap::Line& line : map_.lines) levels = std::max(levels, line.level);
-        components_ = floodFill(surface_, topology_, levels);
+        if (done->lines.size() == 0)
+            return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
+        components_ = floodFill(surface_, topology_, done->lines, done->lines.levels());
         report().splitTriangles = static_cast<uint32_t>(surface_.triangles.size());
         reportCutting(*done, report());
         return judgeSeparation(components_, *done, report());
@@ -236,7 +236,7 @@ class Bake {
     }
 
     SurfaceMesh mesh_;  ///< a copy: vertices where solids touch are told apart
-    const FractureMap& map_;
+    const FracturePlan& plan_;
     const Recipe& recipe_;
     int32_t interiorMaterial_;
     const Progress& progress_;
@@ -253,10 +253,10 @@ class Bake {
 
 }  // namespace
 
-Result<BakedObject> bakeObject(const SurfaceMesh& mesh, const FractureMap& map,
+Result<BakedObject> bakeObject(const SurfaceMesh& mesh, const FracturePlan& plan,
                                const Recipe& recipe, int32_t interiorMaterial,
                                const Progress& progress) {
-    return Bake(mesh, map, recipe, interiorMaterial, progress).run();
+    return Bake(mesh, plan, recipe, interiorMaterial, progress).run();
 }
 
 }  // namespace sherd

@@ -39,9 +39,6 @@ std::string places(const std::vector<Item>& items, Place&& place) {
 std::string placeOf(const LooseEnd& end) {
     return text("UV (%.5g, %.5g)", end.uv.x, end.uv.y) + " at " + at(end.position);
 }
-std::string placeOf(const glm::dvec2& uv) {
-    return text("UV (%.5g, %.5g)", uv.x, uv.y);
-}
 
 /// What most likely keeps lines from separating, for the refusal.
 std::string looseEnds(const CutSurface& cut) {
@@ -52,7 +49,7 @@ std::string looseEnds(const CutSurface& cut) {
     }
     if (!cut.deadEnds.empty()) {
         result.append(". Lines ending in the surface: ")
-            .append(places(cut.deadEnds, [](const glm::dvec2& uv) { return placeOf(uv); }));
+            .append(places(cut.deadEnds, [](const LooseEnd& e) { return placeOf(e); }));
     }
     return result;
 }
@@ -205,7 +202,7 @@ void reportCutting(const CutSurface& cut, BakedObjectReport& report) {
     if (!cut.deadEnds.empty()) {
         report.findings.push_back(
             {"dead-ends", "lines end in the surface",
-             places(cut.deadEnds, [](const glm::dvec2& uv) { return placeOf(uv); }),
+             places(cut.deadEnds, [](const LooseEnd& e) { return placeOf(e); }),
              static_cast<uint32_t>(cut.deadEnds.size())});
     }
 }

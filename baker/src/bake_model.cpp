@@ -2,7 +2,6 @@
 // A whole model: its meshes baked one after another, hung on its document.
 #include <chrono>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "sherd/baker/bake.h"
 #include "sherd/formats/glb_write.h"
@@ -42,24 +41,7 @@ Result<InteriorMaterial> chooseInteriorMaterial(const GltfDocument& document,
 
 }  // namespace
 
-FractureMap combineMaps(std::vector<FractureMap> maps) {
-    FractureMap all;
-    for (size_t i = 0; i < maps.size(); ++i) {
-        for (FractureMap::Line& line : maps[i].lines) {
-            if (maps.size() > 1) line.level = static_cast<uint32_t>(i + 1);
-            all.lines.push_back(std::move(line));
-        }
-        all.warnings.insert(all.warnings.end(), maps[i].warnings.begin(), maps[i].warnings.end());
-    }
-    std::set<uint32_t> used;
-    for (const FractureMap::Line& line : all.lines) used.insert(line.level);
-    for (FractureMap::Line& line : all.lines) {
-        line.level = static_cast<uint32_t>(std::distance(used.begin(), used.find(line.level))) + 1;
-    }
-    return all;
-}
-
-Result<BakedFile> bakeModel(const Model& model, const FractureMap& map, const Recipe& recipe,
+Result<BakedFile> bakeModel(const Model& model, const FracturePlan& plan, const Recipe& recipe,
                             const Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     const Result<InteriorMaterial> interior =
@@ -68,7 +50,7 @@ Result<BakedFile> bakeModel(const Model& model, const FractureMap& map, const Re
     BakedFile file;
     std::vector<FractureSet> sets;
     for (const SurfaceMesh& mesh : model.meshes) {
-        Result<BakedObject> object = bakeObject(mesh, map, recipe, interior->index, progress);
+        Result<BakedObject> object = bakeObject(mesh, plan, recipe, interior->index, progress);
         if (!object) return tl::unexpected(object.error());
         sets.push_back(std::move(object->set));
         file.report.objects.push_back(std::move(object->report));

@@ -12,13 +12,6 @@ uint32_t Components::separatedFrom(uint32_t leafA, uint32_t leafB) const {
     return levels + 1;
 }
 
-std::vector<std::array<uint32_t, 3>> vertexTriangles(const SplitSurface& surface) {
-    std::vector<std::array<uint32_t, 3>> triangles;
-    triangles.reserve(surface.triangles.size());
-    for (const SplitTriangle& t : surface.triangles) triangles.push_back(t.v);
-    return triangles;
-}
-
 namespace {
 
 /// Labels of a flood fill over `n` items whose neighbours `forEachNeighbour(item, visit)` names.
@@ -47,14 +40,21 @@ uint32_t fill(uint32_t n, std::vector<uint32_t>& label, ForEachNeighbour&& forEa
 
 }  // namespace
 
-Components floodFill(const SplitSurface& surface, const MeshTopology& topology, uint32_t levels) {
+Components floodFill(const SplitSurface& surface, const MeshTopology& topology,
+                     const LineTable& lines, uint32_t levels) {
     Components result;
     result.levels = levels;
     const auto triangleCount = static_cast<uint32_t>(surface.triangles.size());
+    const auto levelOf = [&](uint32_t h) {
+        const uint32_t line = surface.triangles[h / 3].line[h % 3];
+        return line == 0 ? 0 : lines.level(line);
+    };
     result.leafCount = fill(triangleCount, result.leaf, [&](uint32_t t, auto&& visit) {
-        for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t o = topology.opposite[3 * t + k];
-            if (o != kNone && surface.triangles[t].level[k] == 0) visit(o / 3);
+        for (uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+            const uint32_t o = topology.opposite[h];
+            if (o == kNone) continue;
+            const uint32_t level = levelOf(h);
+            if (level == 0 || level > levels) visit(o / 3);
         }
     });
 
@@ -63,7 +63,7 @@ Components floodFill(const SplitSurface& surface, const MeshTopology& topology, 
     };
     std::vector<std::vector<Gate>> gates(result.leafCount);
     for (uint32_t h = 0; h < 3 * triangleCount; ++h) {
-        const uint32_t level = surface.triangles[h / 3].level[h % 3];
+        const uint32_t level = levelOf(h);
         if (level == 0 || topology.opposite[h] == kNone) continue;
         const uint32_t a = result.leaf[h / 3];
         const uint32_t b = result.leaf[topology.opposite[h] / 3];

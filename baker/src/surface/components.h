@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "surface/line_table.h"
 #include "surface/mesh_topology.h"
 #include "surface/split_surface.h"
 
@@ -29,9 +30,7 @@ struct Components {
     uint32_t separatedFrom(uint32_t leafA, uint32_t leafB) const;
 };
 
-Components floodFill(const SplitSurface& surface, const MeshTopology& topology, uint32_t levels);
-
-/// The triangles' vertex indices alone, for functions that take plain triangles.
-std::vector<std::array<uint32_t, 3>> vertexTriangles(const SplitSurface& surface);
+Components floodFill(const SplitSurface& surface, const MeshTopology& topology,
+                     const LineTable& lines, uint32_t levels);
 
 }  // namespace sherd

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "geometry/triangle.h"
 #include "surface/components.h"
@@ -12,67 +13,141 @@
 namespace sherd {
 namespace {
 
-/// Where lines end in the middle of the surface.
-std::vector<glm::dvec2> deadEnds(const PlanarMap& map, std::span<const Cut> cuts) {
-    std::vector<uint32_t> degree(map.nodes.size(), 0);
-    for (const MapEdge& edge : map.edges) {
-        ++degree[edge.from];
-        ++degree[edge.to];
+/// One object's cutting: the surface as cut so far, and what there is to say.
+class SurfaceCutter {
+  public:
+    SurfaceCutter(const SurfaceMesh& mesh, const MeshTopology& topology, const FracturePlan& plan,
+                  const CutOptions& options)
+        : mesh_(mesh), plan_(plan), options_(options) {
+        result_.surface = uncutSurface(mesh);
+        result_.topology = topology;
     }
-    std::vector<uint32_t> nodes;
-    for (const Cut& cut : cuts) {
-        for (const CutEnd& end : {cut.from, cut.to}) {
-            if (end.where == CutEnd::Where::inside && degree[end.node] == 1)
-                nodes.push_back(end.node);
+
+    Result<CutSurface> run() {
+        numberLines();
+        if (auto ok = cutDrawings(); !ok) return tl::unexpected(ok.error());
+        return std::move(result_);
+    }
+
+  private:
+    /// A drawing's lines, or those of several, and their marks.
+    struct Page {
+        FractureMap map;
+        std::vector<uint32_t> marks;
+    };
+
+    void numberLines() {
+        std::vector<LineTable::Line> lines;
+        for (const FracturePlan::Drawing& drawing : plan_.drawings) {
+            for (const FractureMap::Line& line : drawing.map.lines)
+                lines.push_back({line.level, line.properties, line.source});
+        }
+        marks_ = result_.lines.assign(std::move(lines));
+    }
+
+    /// Drawings in UV share one frame and so one cut.
+    Result<void> cutDrawings() {
+        Page uv;
+        size_t line = 0;
+        for (const FracturePlan::Drawing& drawing : plan_.drawings) {
+            for (const FractureMap::Line& drawn : drawing.map.lines) {
+                uv.map.lines.push_back(drawn);
+                uv.marks.push_back(marks_[line++]);
+            }
+        }
+        if (uv.map.lines.empty()) return {};
+        const Result<std::vector<UvTriangle>> frames = snapUv(mesh_);
+        if (!frames) return tl::unexpected(frames.error());
+        return cutPage(uv, *frames);
+    }
+
+    Result<void> cutPage(const Page& page, std::span<const UvTriangle> frames) {
+        Result<PlanarMap> planar = planarise(page.map);
+        if (!planar) return tl::unexpected(planar.error());
+        result_.warnings.insert(result_.warnings.end(), planar->warnings.begin(),
+                                planar->warnings.end());
+        std::vector<Cut> cuts = matchAll(*planar, page.marks, frames, result_.topology.degenerate);
+        if (!options_.seams.thesisPairing) return cutAlong(*planar, frames, cuts);
+
+        const std::vector<Cut> unmoved = cuts;
+        const uint32_t averaged =
+            averageSeamPairs(result_.topology, result_.surface.triangles, frames, cuts);
+        if (cutAlong(*planar, frames, cuts)) {
+            result_.seams.averaged += averaged;
+            return {};
+        }
+        // A moved end may drag its line over another.
+        result_.warnings.emplace_back(
+            "averaging line ends at seams made lines cross; it was left out");
+        return cutAlong(*planar, frames, unmoved);
+    }
+
+    Result<void> cutAlong(const PlanarMap& map, std::span<const UvTriangle> frames,
+                          std::span<const Cut> cuts) {
+        ResolvedEdges edges = resolveEdges(result_.topology, result_.surface, cuts);
+        SeamReport seams = joinAcrossSeams(result_.topology, result_.surface, frames, cuts,
+                                           result_.lines, options_.seams, edges);
+        SplitInput input{result_.surface, result_.topology, frames, map, cuts, edges};
+        Result<SplitSurface> split = splitSurface(input);
+        if (!split) return tl::unexpected(split.error());
+        findDeadEnds(map, frames, cuts);
+        result_.surface = std::move(*split);
+        result_.topology =
+            buildTopology(result_.surface.positions, vertexTriangles(result_.surface));
+        result_.seams.joined += seams.joined;
+        result_.seams.loose.insert(result_.seams.loose.end(), seams.loose.begin(),
+                                   seams.loose.end());
+        return {};
+    }
+
+    /// Where lines end in the middle of the surface.
+    void findDeadEnds(const PlanarMap& map, std::span<const UvTriangle> frames,
+                      std::span<const Cut> cuts) {
+        std::vector<uint32_t> degree(map.nodes.size(), 0);
+        for (const MapEdge& edge : map.edges) {
+            ++degree[edge.from];
+            ++degree[edge.to];
+        }
+        std::map<uint32_t, uint32_t> triangleOfNode;
+        for (const Cut& cut : cuts) {
+            for (const CutEnd& end : {cut.from, cut.to}) {
+                if (end.where == CutEnd::Where::inside && degree[end.node] == 1)
+                    triangleOfNode.try_emplace(end.node, cut.triangle);
+            }
+        }
+        for (const auto& [node, triangle] : triangleOfNode) {
+            const glm::dvec2 uv = nodeUv(map, node);
+            result_.deadEnds.push_back({positionAt(triangle, frames[triangle], uv), uv});
         }
     }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    std::vector<glm::dvec2> places;
-    places.reserve(nodes.size());
-    for (const uint32_t node : nodes) places.push_back(nodeUv(map, node));
-    return places;
-}
+
+    /// The place of the frame's point on the triangle.
+    glm::dvec3 positionAt(uint32_t triangle, const UvTriangle& frame, const glm::dvec2& uv) const {
+        const auto at = [&](size_t k) {
+            return glm::dvec2(frame.corner[k].u, frame.corner[k].v) / double{kGridOne};
+        };
+        const auto area = [](glm::dvec2 x, glm::dvec2 y) { return x.x * y.y - x.y * y.x; };
+        const double whole = area(at(1) - at(0), at(2) - at(0));
+        const double b = whole == 0 ? 0 : area(uv - at(0), at(2) - at(0)) / whole;
+        const double c = whole == 0 ? 0 : area(at(1) - at(0), uv - at(0)) / whole;
+        const auto& v = result_.surface.triangles[triangle].v;
+        return glm::dvec3(result_.surface.positions[v[0]]) * (1 - b - c) +
+               glm::dvec3(result_.surface.positions[v[1]]) * b +
+               glm::dvec3(result_.surface.positions[v[2]]) * c;
+    }
+
+    const SurfaceMesh& mesh_;
+    const FracturePlan& plan_;
+    const CutOptions& options_;
+    std::vector<uint32_t> marks_;  ///< of all lines in the order of their sources
+    CutSurface result_;
+};
 
 }  // namespace
 
 Result<CutSurface> cutSurface(const SurfaceMesh& mesh, const MeshTopology& topology,
-                              const FractureMap& map, const SeamOptions& options) {
-    const Result<std::vector<UvTriangle>> uv = snapUv(mesh);
-    if (!uv) return tl::unexpected(uv.error());
-    Result<PlanarMap> planar = planarise(map);
-    if (!planar) return tl::unexpected(planar.error());
-    std::vector<Cut> cuts = matchAll(*planar, *uv, topology.degenerate);
-    std::vector<Cut> unmoved;
-    uint32_t averaged = 0;
-    const auto cutAlong = [&](std::span<const Cut> chosen, CutSurface& result) {
-        ResolvedEdges edges = resolveEdges(topology, mesh.triangles,
-                                           static_cast<uint32_t>(mesh.positions.size()), chosen);
-        result.seams =
-            joinAcrossSeams(topology, mesh.positions, mesh.triangles, *uv, chosen, options, edges);
-        return splitSurface(
-            {mesh.positions, mesh.triangles, topology, *uv, *planar, chosen, edges});
-    };
-    CutSurface result;
-    result.warnings = std::move(planar->warnings);
-    if (options.thesisPairing) {
-        unmoved = cuts;
-        averaged = averageSeamPairs(topology, mesh.triangles, *uv, cuts);
-    }
-    Result<SplitSurface> split = cutAlong(cuts, result);
-    if (!split && options.thesisPairing) {
-        // A moved end may drag its line over another.
-        result.warnings.emplace_back(
-            "averaging line ends at seams made lines cross; it was left out");
-        averaged = 0;
-        split = cutAlong(unmoved, result);
-    }
-    if (!split) return tl::unexpected(split.error());
-    result.seams.averaged = averaged;
-    result.deadEnds = deadEnds(*planar, cuts);
-    result.surface = std::move(*split);
-    result.topology = buildTopology(result.surface.positions, vertexTriangles(result.surface));
-    return result;
+                              const FracturePlan& plan, const CutOptions& options) {
+    return SurfaceCutter(mesh, topology, plan, options).run();
 }
 
 bool isFaithfulSplit(const SurfaceMesh& mesh, const MeshTopology& before, const CutSurface& cut,

@@ -15,16 +15,15 @@ struct RawPoint {
 };
 
 /// The end's parameter from the edge's low to its high vertex.
-LineParameter fromLow(const MeshTopology& topology,
-                      std::span<const std::array<uint32_t, 3>> triangles, uint32_t halfEdge,
-                      LineParameter t) {
+LineParameter fromLow(const MeshTopology& topology, std::span<const SplitTriangle> triangles,
+                      uint32_t halfEdge, LineParameter t) {
     const bool forward = topology.edges[topology.halfEdgeEdge[halfEdge]].low ==
-                         triangles[halfEdge / 3][halfEdge % 3];
+                         triangles[halfEdge / 3].v[halfEdge % 3];
     return forward ? t : LineParameter{t.den - t.num, t.den};
 }
 
 std::vector<RawPoint> collectPoints(const MeshTopology& topology,
-                                    std::span<const std::array<uint32_t, 3>> triangles,
+                                    std::span<const SplitTriangle> triangles,
                                     std::span<const Cut> cuts) {
     std::vector<RawPoint> raw;
     for (uint32_t c = 0; c < cuts.size(); ++c) {
@@ -52,6 +51,19 @@ uint32_t placeOf(const ResolvedEdges& edges, const MeshTopology& topology, uint3
     return id - edges.vertexCount - edges.firstPoint[edge] + 1;
 }
 
+void keepLines(const MeshTopology& topology, std::span<const SplitTriangle> triangles,
+               ResolvedEdges& edges) {
+    for (uint32_t t = 0; t < triangles.size(); ++t) {
+        for (uint32_t k = 0; k < 3; ++k) {
+            const uint32_t line = triangles[t].line[k];
+            if (line == 0) continue;
+            const uint32_t edge = topology.halfEdgeEdge[3 * t + k];
+            for (uint32_t p = 0; p <= edges.pointCount(edge); ++p)
+                edges.markPiece(edges.firstPiece(edge) + p, line);
+        }
+    }
+}
+
 }  // namespace
 
 uint8_t edgeAlong(const Cut& cut) {
@@ -69,9 +81,10 @@ uint8_t edgeAlong(const Cut& cut) {
     return onEdge(a) && onEdge(b) ? k : 3;
 }
 
-ResolvedEdges resolveEdges(const MeshTopology& topology,
-                           std::span<const std::array<uint32_t, 3>> triangles, uint32_t vertexCount,
+ResolvedEdges resolveEdges(const MeshTopology& topology, const SplitSurface& surface,
                            std::span<const Cut> cuts) {
+    const std::span<const SplitTriangle> triangles = surface.triangles;
+    const auto vertexCount = static_cast<uint32_t>(surface.positions.size());
     ResolvedEdges edges;
     edges.vertexCount = vertexCount;
     edges.cutEnds.assign(cuts.size(), {kNone, kNone});
@@ -88,11 +101,12 @@ ResolvedEdges resolveEdges(const MeshTopology& topology,
     }
     for (size_t e = 0; e < topology.edges.size(); ++e)
         edges.firstPoint[e + 1] += edges.firstPoint[e];
-    edges.pieceLevel.assign(edges.points.size() + topology.edges.size(), 0);
+    edges.pieceLine.assign(edges.points.size() + topology.edges.size(), 0);
+    keepLines(topology, triangles, edges);
 
     for (uint32_t c = 0; c < cuts.size(); ++c) {
         const Cut& cut = cuts[c];
-        const auto& corners = triangles[cut.triangle];
+        const auto& corners = triangles[cut.triangle].v;
         if (cut.from.where == CutEnd::Where::corner) edges.cutEnds[c][0] = corners[cut.from.k];
         if (cut.to.where == CutEnd::Where::corner) edges.cutEnds[c][1] = corners[cut.to.k];
         const uint8_t k = edgeAlong(cut);
@@ -102,7 +116,7 @@ ResolvedEdges resolveEdges(const MeshTopology& topology,
         uint32_t last = placeOf(edges, topology, edge, edges.cutEnds[c][1]);
         if (first > last) std::swap(first, last);
         for (uint32_t p = first; p < last; ++p)
-            edges.markPiece(edges.firstPiece(edge) + p, cut.level);
+            edges.markPiece(edges.firstPiece(edge) + p, cut.line);
     }
     return edges;
 }

@@ -90,7 +90,6 @@ std::optional<Cut> clip(const PlanarMap& map, const MapView& view,
     cut.from = from.along == Along::before ? line.entry : from.end;
     cut.to = to.along == Along::after ? line.exit : to.end;
     if (cut.from == cut.to) return std::nullopt;
-    cut.level = edge.level;
     cut.mapEdge = mapEdge;
     return cut;
 }
@@ -154,7 +153,6 @@ void conduct(const PlanarMap& map, uint32_t mapEdge, const CollinearTriangle& tr
     const auto add = [&](const std::optional<Cut>& cut) {
         if (!cut) return;
         cuts.push_back(*cut);
-        cuts.back().level = edge.level;
         cuts.back().mapEdge = mapEdge;
     };
     const int fromSide = view.side(edge.from, triangle.low(), triangle.high());
@@ -189,8 +187,8 @@ void matchInTriangle(const PlanarMap& map, std::span<const uint32_t> candidates,
     for (size_t i = first; i < cuts.size(); ++i) cuts[i].triangle = index;
 }
 
-std::vector<Cut> matchAll(const PlanarMap& map, std::span<const UvTriangle> triangles,
-                          std::span<const uint8_t> skip) {
+std::vector<Cut> matchAll(const PlanarMap& map, std::span<const uint32_t> marks,
+                          std::span<const UvTriangle> triangles, std::span<const uint8_t> skip) {
     const MapIndex mapIndex(map);
     std::vector<Cut> cuts;
     std::vector<uint32_t> candidates;
@@ -203,6 +201,7 @@ std::vector<Cut> matchAll(const PlanarMap& map, std::span<const UvTriangle> tria
         mapIndex.query(low, high, candidates);
         if (!candidates.empty()) matchInTriangle(map, candidates, t, triangles[t], cuts);
     }
+    for (Cut& cut : cuts) cut.line = marks[map.edges[cut.mapEdge].line];
     return cuts;
 }
 

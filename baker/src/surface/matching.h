@@ -15,17 +15,17 @@ namespace sherd {
 struct Cut {
     uint32_t triangle = 0;
     CutEnd from, to;
-    uint32_t level = 1;    ///< the coarsest level it belongs to
+    uint32_t line = 1;     ///< mark of the coarsest line it belongs to
     uint32_t mapEdge = 0;  ///< for reports
 };
 
-/// The cuts of one triangle. Triangles of collinear UV conduct crossing lines from edge to edge;
-/// those collapsed to a point have none.
+/// The cuts of one triangle, `line` not filled in. Triangles of collinear UV conduct crossing lines
+/// from edge to edge; those collapsed to a point have none.
 void matchInTriangle(const PlanarMap& map, std::span<const uint32_t> candidates, uint32_t index,
                      const UvTriangle& triangle, std::vector<Cut>& cuts);
 
-/// The cuts of all triangles, in the order of triangles.
-std::vector<Cut> matchAll(const PlanarMap& map, std::span<const UvTriangle> triangles,
-                          std::span<const uint8_t> skip);
+/// The cuts of all triangles, in the order of triangles. `marks`: of the map's lines.
+std::vector<Cut> matchAll(const PlanarMap& map, std::span<const uint32_t> marks,
+                          std::span<const UvTriangle> triangles, std::span<const uint8_t> skip);
 
 }  // namespace sherd

@@ -17,9 +17,9 @@ namespace {
 struct SeamEnd {
     uint32_t id;  ///< mesh vertex or edge point
     uint32_t side;
-    uint32_t level;  ///< the coarsest line that ends here
-    uint32_t cut;    ///< one of them, for the report
-    bool open;       ///< no line goes on from here on the other side or along the seam
+    uint32_t line;  ///< mark of the coarsest line that ends here
+    uint32_t cut;   ///< one of them, for the report
+    bool open;      ///< no line goes on from here on the other side or along the seam
 };
 
 struct Join {
@@ -31,17 +31,17 @@ struct Join {
 
 class SeamJoiner {
   public:
-    SeamJoiner(const MeshTopology& topology, std::span<const glm::vec3> positions,
-               std::span<const std::array<uint32_t, 3>> triangles, std::span<const UvTriangle> uv,
-               std::span<const Cut> cuts, const SeamOptions& options, ResolvedEdges& edges)
+    SeamJoiner(const MeshTopology& topology, const SplitSurface& surface,
+               std::span<const UvTriangle> uv, std::span<const Cut> cuts, const LineTable& lines,
+               const SeamOptions& options, ResolvedEdges& edges)
         : topology_(topology),
-          positions_(positions),
-          triangles_(triangles),
+          surface_(surface),
           uv_(uv),
           cuts_(cuts),
+          lines_(lines),
           options_(options),
           edges_(edges),
-          wedges_(triangles.size() * 3) {}
+          wedges_(surface.triangles.size() * 3) {}
 
     SeamReport run() {
         findSeams();
@@ -51,7 +51,7 @@ class SeamJoiner {
     }
 
   private:
-    uint32_t startVertex(uint32_t h) const { return triangles_[h / 3][h % 3]; }
+    uint32_t startVertex(uint32_t h) const { return surface_.triangles[h / 3].v[h % 3]; }
     uint32_t endVertex(uint32_t h) const { return startVertex(nextCorner(h)); }
     bool isEdgePoint(uint32_t id) const { return id >= edges_.vertexCount; }
 
@@ -80,7 +80,7 @@ class SeamJoiner {
 
     void collectEnds() {
         std::map<std::pair<uint32_t, uint32_t>, std::pair<uint32_t, uint32_t>>
-            found;  // id, side -> level, cut
+            found;  // id, side -> line, cut
         for (uint32_t c = 0; c < cuts_.size(); ++c) {
             if (edgeAlong(cuts_[c]) != 3) continue;
             for (uint32_t end = 0; end < 2; ++end) {
@@ -92,8 +92,8 @@ class SeamJoiner {
                     continue;
                 const uint32_t side = atVertex ? wedges_.find(h) : h;
                 const auto [it, isNew] =
-                    found.try_emplace({edges_.cutEnds[c][end], side}, cuts_[c].level, c);
-                if (!isNew) it->second = std::min(it->second, {cuts_[c].level, c});
+                    found.try_emplace({edges_.cutEnds[c][end], side}, cuts_[c].line, c);
+                if (!isNew) it->second = std::min(it->second, {cuts_[c].line, c});
             }
         }
         for (const auto& [place, line] : found) {
@@ -119,22 +119,22 @@ class SeamJoiner {
         if (isEdgePoint(id)) {
             const uint32_t p = id - edges_.vertexCount;
             const uint32_t edge = edges_.points[p].edge;
-            return edges_.pieceLevel[p + edge] != 0 || edges_.pieceLevel[p + edge + 1] != 0;
+            return edges_.pieceLine[p + edge] != 0 || edges_.pieceLine[p + edge + 1] != 0;
         }
         for (const uint32_t h : seamsAtVertex_.at(id)) {
             const uint32_t edge = topology_.halfEdgeEdge[h];
             const bool atLow = topology_.edges[edge].low == id;
             const uint32_t piece = edges_.firstPiece(edge) + (atLow ? 0 : edges_.pointCount(edge));
-            if (edges_.pieceLevel[piece] != 0) return true;
+            if (edges_.pieceLine[piece] != 0) return true;
         }
         return false;
     }
 
     glm::dvec3 position(uint32_t id) const {
-        if (!isEdgePoint(id)) return positions_[id];
+        if (!isEdgePoint(id)) return surface_.positions[id];
         const EdgePoint& p = edges_.points[id - edges_.vertexCount];
-        const glm::dvec3 low = positions_[topology_.edges[p.edge].low];
-        const glm::dvec3 high = positions_[topology_.edges[p.edge].high];
+        const glm::dvec3 low = surface_.positions[topology_.edges[p.edge].low];
+        const glm::dvec3 high = surface_.positions[topology_.edges[p.edge].high];
         return low + (high - low) * p.t.approximate();
     }
 
@@ -195,8 +195,9 @@ class SeamJoiner {
         if (it == endsAt_.end()) return;
         for (const uint32_t e : it->second) {
             if (ends_[e].side == ownSide) continue;
-            joins_.push_back({walk.from, e, walk.distance, ends_[e].level != ends_[walk.from].level,
-                              walk.pieces});
+            const bool otherLevel =
+                lines_.level(ends_[e].line) != lines_.level(ends_[walk.from].line);
+            joins_.push_back({walk.from, e, walk.distance, otherLevel, walk.pieces});
         }
     }
 
@@ -228,8 +229,8 @@ class SeamJoiner {
             for (const Join& join : joins_) {
                 if (done[join.from] != 0) continue;
                 if (toOpenOnly && (done[join.to] != 0 || !ends_[join.to].open)) continue;
-                const uint32_t level = std::max(ends_[join.from].level, ends_[join.to].level);
-                for (const uint32_t piece : join.pieces) edges_.markPiece(piece, level);
+                const uint32_t line = std::max(ends_[join.from].line, ends_[join.to].line);
+                for (const uint32_t piece : join.pieces) edges_.markPiece(piece, line);
                 done[join.from] = 1;
                 if (ends_[join.to].open) done[join.to] = 1;
                 ++report_.joined;
@@ -256,10 +257,10 @@ class SeamJoiner {
     }
 
     const MeshTopology& topology_;
-    std::span<const glm::vec3> positions_;
-    std::span<const std::array<uint32_t, 3>> triangles_;
+    const SplitSurface& surface_;
     std::span<const UvTriangle> uv_;
     std::span<const Cut> cuts_;
+    const LineTable& lines_;
     const SeamOptions& options_;
     ResolvedEdges& edges_;
     UnionFind wedges_;
@@ -275,11 +276,11 @@ class SeamJoiner {
 
 }  // namespace
 
-SeamReport joinAcrossSeams(const MeshTopology& topology, std::span<const glm::vec3> positions,
-                           std::span<const std::array<uint32_t, 3>> triangles,
+SeamReport joinAcrossSeams(const MeshTopology& topology, const SplitSurface& surface,
                            std::span<const UvTriangle> uv, std::span<const Cut> cuts,
-                           const SeamOptions& options, ResolvedEdges& edges) {
-    return SeamJoiner(topology, positions, triangles, uv, cuts, options, edges).run();
+                           const LineTable& lines, const SeamOptions& options,
+                           ResolvedEdges& edges) {
+    return SeamJoiner(topology, surface, uv, cuts, lines, options, edges).run();
 }
 
 }  // namespace sherd

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "surface/edge_resolution.h"
+#include "surface/line_table.h"
 #include "surface/uv_triangle.h"
 
 namespace sherd {
@@ -29,9 +30,9 @@ struct SeamReport {
     std::vector<LooseEnd> loose;
 };
 
-SeamReport joinAcrossSeams(const MeshTopology& topology, std::span<const glm::vec3> positions,
-                           std::span<const std::array<uint32_t, 3>> triangles,
+SeamReport joinAcrossSeams(const MeshTopology& topology, const SplitSurface& surface,
                            std::span<const UvTriangle> uv, std::span<const Cut> cuts,
-                           const SeamOptions& options, ResolvedEdges& edges);
+                           const LineTable& lines, const SeamOptions& options,
+                           ResolvedEdges& edges);
 
 }  // namespace sherd

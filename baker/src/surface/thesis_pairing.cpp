@@ -65,8 +65,7 @@ void move(std::span<const Place> places, std::span<const LineParameter> from,
 
 }  // namespace
 
-uint32_t averageSeamPairs(const MeshTopology& topology,
-                          std::span<const std::array<uint32_t, 3>> triangles,
+uint32_t averageSeamPairs(const MeshTopology& topology, std::span<const SplitTriangle> triangles,
                           std::span<const UvTriangle> uv, std::span<Cut> cuts) {
     std::vector<Place> places;
     for (Cut& cut : cuts) {
@@ -76,7 +75,7 @@ uint32_t averageSeamPairs(const MeshTopology& topology,
             const uint32_t h = 3 * cut.triangle + end->k;
             if (!isUvSeam(topology, uv, h)) continue;
             const bool forward =
-                topology.edges[topology.halfEdgeEdge[h]].low == triangles[h / 3][h % 3];
+                topology.edges[topology.halfEdgeEdge[h]].low == triangles[h / 3].v[h % 3];
             places.push_back({h,
                               forward ? end->t : LineParameter{end->t.den - end->t.num, end->t.den},
                               end, forward});

@@ -6,13 +6,13 @@
 
 #include "surface/matching.h"
 #include "surface/mesh_topology.h"
+#include "surface/split_surface.h"
 
 namespace sherd {
 
 /// Moves ends of cuts on seam edges, before anything is built on them. Returns how many pairs
 /// moved.
-uint32_t averageSeamPairs(const MeshTopology& topology,
-                          std::span<const std::array<uint32_t, 3>> triangles,
+uint32_t averageSeamPairs(const MeshTopology& topology, std::span<const SplitTriangle> triangles,
                           std::span<const UvTriangle> uv, std::span<Cut> cuts);
 
 }  // namespace sherd

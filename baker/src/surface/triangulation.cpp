@@ -22,6 +22,29 @@ ExactPoint pointAlong(GridPoint p, GridPoint q, LineParameter t, GridPoint origi
     return r;
 }
 
+/// A weighted sum of vertices as one of mesh vertices. All lie in one triangle of the mesh, so
+/// there are at most three; what lies on a mesh edge has no weight on the third.
+VertexOrigin mixOrigins(const std::array<VertexOrigin, 3>& origins, const glm::dvec3& weights) {
+    std::array<uint32_t, 3> vertices{kNone, kNone, kNone};
+    glm::dvec3 sum(0.0);
+    int count = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const double weight = weights[i] * origins[static_cast<size_t>(i)].weights[k];
+            if (weight == 0) continue;
+            const uint32_t vertex =
+                origins[static_cast<size_t>(i)].vertices[static_cast<size_t>(k)];
+            const auto known = std::find(vertices.begin(), vertices.begin() + count, vertex);
+            const auto at = known - vertices.begin();
+            if (at == count) vertices[static_cast<size_t>(count++)] = vertex;
+            sum[static_cast<int>(at)] += weight;
+        }
+    }
+    for (int k = count; k < 3; ++k)
+        vertices[static_cast<size_t>(k)] = vertices[static_cast<size_t>(std::max(count, 1) - 1)];
+    return {vertices, sum / (sum.x + sum.y + sum.z)};
+}
+
 /// Cuts one triangle. The exact frame is the UV grid where the triangle has area there, else a unit
 /// triangle: then all points are on its border and only their order matters.
 class TriangleSplitter {
@@ -42,7 +65,7 @@ class TriangleSplitter {
 
     bool split(std::span<const Cut> cuts, uint32_t firstCut) {
         for (uint8_t k = 0; k < 3; ++k)
-            addPoint(in_.triangles[triangle_][k],
+            addPoint(in_.surface.triangles[triangle_].v[k],
                      pointAlong(corner_[k], corner_[k], {0, 1}, corner_[0]), cornerWeights(k),
                      cornerLines(k));
         for (uint8_t k = 0; k < 3; ++k) addEdgePoints(k);
@@ -56,10 +79,10 @@ class TriangleSplitter {
   private:
     /// The triangle in its own plane: what "well shaped" means for the pieces.
     void layOutShape() {
-        const auto& v = in_.triangles[triangle_];
-        const glm::dvec3 a = in_.positions[v[0]];
-        const glm::dvec3 ab = glm::dvec3(in_.positions[v[1]]) - a;
-        const glm::dvec3 ac = glm::dvec3(in_.positions[v[2]]) - a;
+        const auto& v = in_.surface.triangles[triangle_].v;
+        const glm::dvec3 a = in_.surface.positions[v[0]];
+        const glm::dvec3 ab = glm::dvec3(in_.surface.positions[v[1]]) - a;
+        const glm::dvec3 ac = glm::dvec3(in_.surface.positions[v[2]]) - a;
         const double length = glm::length(ab);
         const double height = length > 0 ? glm::length(glm::cross(ab, ac)) / length : 0;
         if (height > 0) {
@@ -96,7 +119,7 @@ class TriangleSplitter {
         const uint32_t edge = in_.topology.halfEdgeEdge[3 * triangle_ + k];
         const uint32_t count = in_.edges.pointCount(edge);
         const auto next = static_cast<uint8_t>((k + 1) % 3);
-        const bool forward = in_.topology.edges[edge].low == in_.triangles[triangle_][k];
+        const bool forward = in_.topology.edges[edge].low == in_.surface.triangles[triangle_].v[k];
         uint32_t previous = k;
         for (uint32_t i = 0; i <= count; ++i) {
             uint32_t here = next;
@@ -112,8 +135,8 @@ class TriangleSplitter {
                                 edgeLine(k));
             }
             const uint32_t piece = in_.edges.firstPiece(edge) + (forward ? i : count - i);
-            if (const uint32_t level = in_.edges.pieceLevel[piece]; level != 0) {
-                local_.constraints.push_back({previous, here, level});
+            if (const uint32_t line = in_.edges.pieceLine[piece]; line != 0) {
+                local_.constraints.push_back({previous, here, line});
             }
             previous = here;
         }
@@ -128,7 +151,7 @@ class TriangleSplitter {
                             ? innerPoint(e.node)
                             : localOf_.at(in_.edges.cutEnds[index][end]);
         }
-        local_.constraints.push_back({ends[0], ends[1], cut.level});
+        local_.constraints.push_back({ends[0], ends[1], cut.line});
     }
 
     uint32_t innerPoint(uint32_t node) {
@@ -144,13 +167,15 @@ class TriangleSplitter {
             exact = pointAlong(view(s.a), view(s.b), t, corner_[0]);
         }
         const glm::dvec3 weights = barycentric(exact);
-        const auto& v = in_.triangles[triangle_];
-        const glm::dvec3 position = glm::dvec3(in_.positions[v[0]]) * weights[0] +
-                                    glm::dvec3(in_.positions[v[1]]) * weights[1] +
-                                    glm::dvec3(in_.positions[v[2]]) * weights[2];
+        const auto& v = in_.surface.triangles[triangle_].v;
+        const glm::dvec3 position = glm::dvec3(in_.surface.positions[v[0]]) * weights[0] +
+                                    glm::dvec3(in_.surface.positions[v[1]]) * weights[1] +
+                                    glm::dvec3(in_.surface.positions[v[2]]) * weights[2];
         const auto global = static_cast<uint32_t>(out_.positions.size());
         out_.positions.emplace_back(position);
-        out_.origins.push_back({v, weights});
+        out_.origins.push_back(mixOrigins(
+            {in_.surface.origins[v[0]], in_.surface.origins[v[1]], in_.surface.origins[v[2]]},
+            weights));
         const uint32_t local = addPoint(global, exact, weights, 0);
         inner_.emplace(node, local);
         return local;
@@ -174,8 +199,9 @@ class TriangleSplitter {
     }
 
     void emit(const TriangulationResult::Triangle& t) {
-        out_.triangles.push_back(
-            {{global_[t.v[0]], global_[t.v[1]], global_[t.v[2]]}, triangle_, t.mark});
+        out_.triangles.push_back({{global_[t.v[0]], global_[t.v[1]], global_[t.v[2]]},
+                                  in_.surface.triangles[triangle_].source,
+                                  t.mark});
     }
 
     const SplitInput& in_;
@@ -191,50 +217,51 @@ class TriangleSplitter {
     std::map<uint32_t, uint32_t> inner_;    ///< map node -> local point
 };
 
-void addMeshVerticesAndEdgePoints(const SplitInput& input, SplitSurface& out) {
-    out.meshVertices = static_cast<uint32_t>(input.positions.size());
-    out.positions.assign(input.positions.begin(), input.positions.end());
-    out.origins.resize(out.positions.size());
-    for (uint32_t v = 0; v < out.meshVertices; ++v) out.origins[v] = {{v, v, v}, {1, 0, 0}};
+void addVerticesAndEdgePoints(const SplitInput& input, SplitSurface& out) {
+    const SplitSurface& before = input.surface;
+    out.meshVertices = before.meshVertices;
+    out.positions = before.positions;
+    out.origins = before.origins;
     for (const EdgePoint& p : input.edges.points) {
         const auto [low, high] = input.topology.edges[p.edge];
         const double t = p.t.approximate();
-        const glm::dvec3 a = input.positions[low];
-        const glm::dvec3 b = input.positions[high];
+        const glm::dvec3 a = before.positions[low];
+        const glm::dvec3 b = before.positions[high];
         out.positions.emplace_back(a * (1 - t) + b * t);
-        out.origins.push_back({{low, high, high}, {1 - t, t, 0}});
+        out.origins.push_back(
+            mixOrigins({before.origins[low], before.origins[high], {}}, {1 - t, t, 0}));
     }
 }
 
 }  // namespace
 
-Result<SplitSurface> splitSurface(const SplitInput& input) {
+Result<SplitSurface> splitSurface(const SplitInput& input, std::vector<uint32_t>* from) {
+    const std::vector<SplitTriangle>& triangles = input.surface.triangles;
     SplitSurface out;
-    addMeshVerticesAndEdgePoints(input, out);
-    out.triangles.reserve(input.triangles.size() + 4 * input.cuts.size());
+    addVerticesAndEdgePoints(input, out);
+    out.triangles.reserve(triangles.size() + 4 * input.cuts.size());
     uint32_t cut = 0;
-    for (uint32_t t = 0; t < input.triangles.size(); ++t) {
+    for (uint32_t t = 0; t < triangles.size(); ++t) {
         const uint32_t firstCut = cut;
         while (cut < input.cuts.size() && input.cuts[cut].triangle == t) ++cut;
         if (input.topology.degenerate[t] != 0) continue;
         bool untouched = firstCut == cut;
-        std::array<uint32_t, 3> level{};
+        std::array<uint32_t, 3> line{};
         for (uint32_t k = 0; k < 3; ++k) {
             const uint32_t edge = input.topology.halfEdgeEdge[3 * t + k];
             untouched = untouched && input.edges.pointCount(edge) == 0;
-            level[k] = input.edges.pieceLevel[input.edges.firstPiece(edge)];
+            line[k] = input.edges.pieceLine[input.edges.firstPiece(edge)];
         }
         if (untouched) {
-            out.triangles.push_back({input.triangles[t], t, level});
-            continue;
-        }
-        TriangleSplitter splitter(input, out, t);
-        if (!splitter.split(input.cuts.subspan(firstCut, cut - firstCut), firstCut)) {
+            out.triangles.push_back({triangles[t].v, triangles[t].source, line});
+        } else if (!TriangleSplitter(input, out, t)
+                        .split(input.cuts.subspan(firstCut, cut - firstCut), firstCut)) {
             return fail(
                 ErrorCode::internal,
                 "cuts cross inside a triangle; this is a mistake in Sherd, please report it",
-                "triangle " + std::to_string(t));
+                "triangle " + std::to_string(triangles[t].source));
         }
+        if (from != nullptr) from->resize(out.triangles.size(), t);
     }
     return out;
 }

@@ -13,17 +13,17 @@
 namespace sherd {
 
 struct SplitInput {
-    std::span<const glm::vec3> positions;
-    std::span<const std::array<uint32_t, 3>> triangles;
-    const MeshTopology& topology;
-    std::span<const UvTriangle> uv;  ///< empty: no cuts
+    const SplitSurface& surface;
+    const MeshTopology& topology;    ///< of the surface
+    std::span<const UvTriangle> uv;  ///< the frame of each triangle that `map` is drawn in
     const PlanarMap& map;
     std::span<const Cut> cuts;  ///< sorted by triangle
     const ResolvedEdges& edges;
 };
 
-/// Index-degenerate triangles are left out. Error `internal` if cuts cross, which planarised maps
+/// A surface cut so far, cut further. Index-degenerate triangles are left out. `from`, if wanted:
+/// per new triangle the one it comes from. Error `internal` if cuts cross, which planarised maps
 /// exclude.
-Result<SplitSurface> splitSurface(const SplitInput& input);
+Result<SplitSurface> splitSurface(const SplitInput& input, std::vector<uint32_t>* from = nullptr);
 
 }  // namespace sherd

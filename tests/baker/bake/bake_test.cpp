@@ -9,6 +9,7 @@
 #include "sherd/formats/glb_read.h"
 #include "sherd/formats/glb_write.h"
 #include "sherd/formats/validate.h"
+#include "support/plans.h"
 #include "support/property.h"
 #include "support/surface_meshes.h"
 
@@ -70,7 +71,7 @@ SurfaceMesh twoCubes() {
 }
 
 ErrorCode bakeError(const SurfaceMesh& mesh, const FractureMap& map, const Recipe& recipe = {}) {
-    const Result<BakedObject> baked = bakeObject(mesh, map, recipe, 0);
+    const Result<BakedObject> baked = bakeObject(mesh, planOf(map), recipe, 0);
     REQUIRE_FALSE(baked.has_value());
     CHECK_FALSE(baked.error().message.empty());
     return baked.error().code;
@@ -89,7 +90,7 @@ CheckReport checkSet(const SurfaceMesh& mesh, const FractureMap& map, const Reci
         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],)"
         R"("scenes":[{"nodes":[0]}],"scene":0})";
     model.document.bin.assign(36, 0);
-    const Result<BakedFile> baked = bakeModel(model, map, recipe);
+    const Result<BakedFile> baked = bakeModel(model, planOf(map), recipe);
     if (!baked) FAIL(baked.error().message);
     Result<CheckReport> report = checkFractureSets(baked->glb, {});
     REQUIRE(report.has_value());
@@ -104,7 +105,7 @@ CheckReport checkSet(const SurfaceMesh& mesh, const FractureMap& map, const Reci
 TEST_CASE("a cube with a ring around it breaks into two closed halves of its volume") {
     FractureMap map;
     addRing(map, 0.4, 1);
-    const Result<BakedObject> baked = bakeObject(chartedCube(1, 4), map, {}, 0);
+    const Result<BakedObject> baked = bakeObject(chartedCube(1, 4), planOf(map), {}, 0);
     REQUIRE(baked.has_value());
     const FractureSet& set = baked->set;
     REQUIRE(set.fragments.size() == 3);
@@ -130,7 +131,7 @@ TEST_CASE("a piece that its level does not divide stands for itself at deeper le
     FractureMap map;
     addRing(map, 0.4, 1);
     addRing(map, 0.7, 2);  // divides the upper piece only
-    const Result<BakedObject> baked = bakeObject(chartedCube(1, 4), map, {}, 0);
+    const Result<BakedObject> baked = bakeObject(chartedCube(1, 4), planOf(map), {}, 0);
     REQUIRE(baked.has_value());
     CHECK(baked->set.fragments.size() == 5);
     CHECK(fragmentsAtLevel(baked->set, 1).size() == 2);
@@ -138,7 +139,7 @@ TEST_CASE("a piece that its level does not divide stands for itself at deeper le
 }
 
 TEST_CASE("children own the outer surface of their parent, one run in every primitive") {
-    const Result<BakedObject> baked = bakeObject(torus(24, 12), torusGrid(), {}, 0);
+    const Result<BakedObject> baked = bakeObject(torus(24, 12), planOf(torusGrid()), {}, 0);
     REQUIRE(baked.has_value());
     const FractureSet& set = baked->set;
     const size_t primitives = set.geometry.primitives.size();
@@ -166,7 +167,7 @@ TEST_CASE("every attribute is interpolated and nothing is dropped") {
     for (size_t i = 0; i < count; ++i)
         heat.values.push_back(mesh.attributes[1].values[2 * i]);  // = u
     mesh.attributes.push_back(heat);
-    const Result<BakedObject> baked = bakeObject(mesh, torusGrid(), {}, 0);
+    const Result<BakedObject> baked = bakeObject(mesh, planOf(torusGrid()), {}, 0);
     REQUIRE(baked.has_value());
     const FractureGeometry& geometry = baked->set.geometry;
     REQUIRE(geometry.attributes.size() == 4);
@@ -192,8 +193,8 @@ TEST_CASE("the same input gives the same bytes, whatever the number of threads")
     one.threads = 1;
     Recipe four;
     four.threads = 4;
-    const Result<BakedObject> a = bakeObject(torus(24, 12), torusGrid(), one, 0);
-    const Result<BakedObject> b = bakeObject(torus(24, 12), torusGrid(), four, 0);
+    const Result<BakedObject> a = bakeObject(torus(24, 12), planOf(torusGrid()), one, 0);
+    const Result<BakedObject> b = bakeObject(torus(24, 12), planOf(torusGrid()), four, 0);
     REQUIRE((a.has_value() && b.has_value()));
     CHECK(a->set.geometry.positions == b->set.geometry.positions);
     CHECK(a->set.geometry.indices == b->set.geometry.indices);
@@ -204,8 +205,9 @@ TEST_CASE("the same input gives the same bytes, whatever the number of threads")
 TEST_CASE("scaling the input by a power of two scales the pieces and changes nothing else") {
     for (const float scale : {0.0009765625F, 1024.0F}) {
         CAPTURE(scale);
-        const Result<BakedObject> plain = bakeObject(chartedCube(1, 4), twoRings(), {}, 0);
-        const Result<BakedObject> scaled = bakeObject(chartedCube(scale, 4), twoRings(), {}, 0);
+        const Result<BakedObject> plain = bakeObject(chartedCube(1, 4), planOf(twoRings()), {}, 0);
+        const Result<BakedObject> scaled =
+            bakeObject(chartedCube(scale, 4), planOf(twoRings()), {}, 0);
         REQUIRE((plain.has_value() && scaled.has_value()));
         CHECK(plain->set.geometry.indices == scaled->set.geometry.indices);
         REQUIRE(plain->set.geometry.positions.size() == scaled->set.geometry.positions.size());
@@ -217,9 +219,9 @@ TEST_CASE("scaling the input by a power of two scales the pieces and changes not
 
 TEST_CASE("scaling by a thousand keeps counts and volumes") {
     for (const float scale : {0.001F, 1000.0F}) {
-        const Result<BakedObject> plain = bakeObject(torus(24, 12), torusGrid(), {}, 0);
+        const Result<BakedObject> plain = bakeObject(torus(24, 12), planOf(torusGrid()), {}, 0);
         const Result<BakedObject> scaled =
-            bakeObject(torus(24, 12, scale, 0.4 * scale), torusGrid(), {}, 0);
+            bakeObject(torus(24, 12, scale, 0.4 * scale), planOf(torusGrid()), {}, 0);
         REQUIRE((plain.has_value() && scaled.has_value()));
         REQUIRE(plain->set.fragments.size() == scaled->set.fragments.size());
         const double cube = std::pow(static_cast<double>(scale), 3);
@@ -283,7 +285,7 @@ TEST_CASE(
     recipe.allowOpen = true;
     FractureMap map;
     addRing(map, 0.6, 1);
-    const Result<BakedObject> baked = bakeObject(mesh, map, recipe, 0);
+    const Result<BakedObject> baked = bakeObject(mesh, planOf(map), recipe, 0);
     if (!baked) FAIL(baked.error().message);
     CHECK(baked->report.levels[1].fragments == 2);
     CHECK(baked->report.levels[1].closed == 2);
@@ -298,7 +300,7 @@ TEST_CASE(
     const SurfaceMesh mesh = twoCubes();
     FractureMap map;
     addRing(map, 0.4, 1);
-    const Result<BakedObject> baked = bakeObject(mesh, map, {}, 0);
+    const Result<BakedObject> baked = bakeObject(mesh, planOf(map), {}, 0);
     if (!baked) FAIL(baked.error().message);
     CHECK(baked->report.parts == 2);
     CHECK(baked->report.levels[1].fragments == 3);
@@ -341,7 +343,7 @@ TEST_CASE("a level whose pieces are all too small is refused with that reason") 
          "dot"});
     Recipe recipe;
     recipe.minimumComponentShare = 1e-3;
-    const Result<BakedObject> baked = bakeObject(chartedCube(1, 3), map, recipe, 0);
+    const Result<BakedObject> baked = bakeObject(chartedCube(1, 3), planOf(map), recipe, 0);
     REQUIRE_FALSE(baked.has_value());
     CHECK(baked.error().code == ErrorCode::separatesNothing);
     CHECK(baked.error().message.find("too small") != std::string::npos);
@@ -379,7 +381,7 @@ TEST_CASE(
             map.lines.push_back(line);
         }
         const SurfaceMesh mesh = random.below(2) == 0 ? torus(12, 8) : chartedCube(1, 3);
-        const Result<BakedObject> baked = bakeObject(mesh, map, {}, 0);
+        const Result<BakedObject> baked = bakeObject(mesh, planOf(map), {}, 0);
         if (!baked) {
             CHECK(baked.error().code == ErrorCode::separatesNothing);
             continue;

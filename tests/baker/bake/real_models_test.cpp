@@ -11,6 +11,7 @@
 #include "sherd/baker/bake.h"
 #include "sherd/formats/validate.h"
 #include "support/models.h"
+#include "support/plans.h"
 #include "support/property.h"
 
 using namespace sherd;
@@ -68,7 +69,7 @@ void bakeAndCheck(const std::string& name, const std::vector<KnownMap>& known) {
         REQUIRE(read.has_value());
         maps.push_back(std::move(*read));
     }
-    const Result<BakedFile> baked = bakeModel(*model, combineMaps(std::move(maps)), {});
+    const Result<BakedFile> baked = bakeModel(*model, stack(std::move(maps)), {});
     if (!baked) FAIL(baked.error().message);
     const BakedObjectReport& report = baked->report.objects.at(0);
     const uint32_t merged = mergedCount(report);
@@ -106,8 +107,8 @@ TEST_CASE("a real model bakes to the same bytes with one thread and with four") 
     one.threads = 1;
     Recipe four;
     four.threads = 4;
-    const Result<BakedFile> a = bakeModel(*model, *map, one);
-    const Result<BakedFile> b = bakeModel(*model, *map, four);
+    const Result<BakedFile> a = bakeModel(*model, planOf(*map), one);
+    const Result<BakedFile> b = bakeModel(*model, planOf(*map), four);
     REQUIRE((a.has_value() && b.has_value()));
     CHECK(a->glb == b->glb);
 }

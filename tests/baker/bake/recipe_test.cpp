@@ -4,7 +4,10 @@
 #include "sherd/baker/bake.h"
 #include "sherd/baker/recipe.h"
 
+#include "support/plans.h"
+
 using namespace sherd;
+using namespace sherd::test;
 
 namespace {
 
@@ -58,10 +61,10 @@ TEST_CASE("with several maps the order of files is the order of levels, with one
     FractureMap a;
     a.lines.push_back({{{0, 0}, {1, 1}}, 3, "a"});
     a.lines.push_back({{{0, 0}, {1, 0}}, 5, "a"});
-    const FractureMap alone = combineMaps({a});
-    CHECK(alone.lines[0].level == 1);  // levels without lines are closed up
-    CHECK(alone.lines[1].level == 2);
-    const FractureMap both = combineMaps({a, a});
-    CHECK(both.lines[1].level == 1);
-    CHECK(both.lines[3].level == 2);
+    const FracturePlan alone = stack({a});
+    CHECK(alone.drawings[0].map.lines[0].level == 3);
+    CHECK(alone.drawings[0].map.lines[1].level == 5);
+    const FracturePlan both = stack({a, a});
+    CHECK(both.drawings[0].map.lines[1].level == 1);
+    CHECK(both.drawings[1].map.lines[1].level == 2);
 }

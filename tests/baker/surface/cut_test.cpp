@@ -160,9 +160,10 @@ TEST_CASE(
     SUBCASE("averaged in order, as the thesis does") {
         const SurfaceMesh cube = chartedCube();
         const MeshTopology topology = buildTopology(cube.positions, cube.triangles);
-        const Result<CutSurface> cut = cutSurface(cube, topology, linesOf(ring), {0, true});
+        const Result<CutSurface> cut =
+            cutSurface(cube, topology, planOf(linesOf(ring)), {{0, true}});
         REQUIRE(cut.has_value());
-        CHECK(floodFill(cut->surface, cut->topology, 1).count[0] == 2);
+        CHECK(floodFill(cut->surface, cut->topology, cut->lines, 1).count[0] == 2);
         CHECK(cut->seams.joined == 0);
         CHECK(cut->seams.loose.empty());
         CHECK(isFaithfulSplit(cube, topology, *cut, 1e-6));
@@ -179,10 +180,10 @@ TEST_CASE("the thesis' averaging leaves edges that are no seams, and far pairs, 
     const MeshTopology topology = buildTopology(square.positions, square.triangles);
     // Two lines end on the diagonal from its two sides, 0.4 % of its length apart.
     const FractureMap lines = linesOf({{{0.2, 1.1}, {0.5, 0.5}}, {{0.502, 0.498}, {0.8, -0.1}}});
-    const Result<CutSurface> cut = cutSurface(square, topology, lines, {0, true});
+    const Result<CutSurface> cut = cutSurface(square, topology, planOf(lines), {{0, true}});
     REQUIRE(cut.has_value());
     CHECK(cut->seams.averaged == 0);
-    CHECK(floodFill(cut->surface, cut->topology, 1).count[0] == 1);
+    CHECK(floodFill(cut->surface, cut->topology, cut->lines, 1).count[0] == 1);
 
     std::vector<std::vector<glm::dvec2>> ring;
     ring.push_back({cubeUv(0, -0.01, 0.43), cubeUv(0, 1.01, 0.404)});
@@ -190,7 +191,8 @@ TEST_CASE("the thesis' averaging leaves edges that are no seams, and far pairs, 
     for (int face : {2, 3}) ring.push_back({cubeUv(face, 0.4, -0.01), cubeUv(face, 0.4, 1.01)});
     const SurfaceMesh cube = chartedCube();
     const MeshTopology cubeTopology = buildTopology(cube.positions, cube.triangles);
-    const Result<CutSurface> far = cutSurface(cube, cubeTopology, linesOf(ring), {0, true});
+    const Result<CutSurface> far =
+        cutSurface(cube, cubeTopology, planOf(linesOf(ring)), {{0, true}});
     REQUIRE(far.has_value());
     CHECK(far->seams.averaged == 1);  // 0.4 % apart at one seam, 3 % at the other
     CHECK(far->seams.loose.size() == 2);
@@ -199,7 +201,8 @@ TEST_CASE("the thesis' averaging leaves edges that are no seams, and far pairs, 
 TEST_CASE("a line that ends in the surface is reported with its place") {
     const CutResult r = cutAndCheck(flatSquare(3), linesOf({{{-0.1, 0.4}, {0.6, 0.45}}}));
     REQUIRE(r.cut.deadEnds.size() == 1);
-    CHECK(r.cut.deadEnds[0].x == doctest::Approx(0.6));
+    CHECK(r.cut.deadEnds[0].uv.x == doctest::Approx(0.6));
+    CHECK(r.cut.deadEnds[0].position.x == doctest::Approx(0.6));
 }
 
 TEST_CASE("line ends on both sides of a corner of a chart are joined around it") {
@@ -234,7 +237,8 @@ TEST_CASE("a texture coordinate beyond eight tiles is refused with its place") {
     SurfaceMesh mesh = flatSquare(1);
     mesh.attributes[1].values[0] = 9;
     const MeshTopology topology = buildTopology(mesh.positions, mesh.triangles);
-    const Result<CutSurface> cut = cutSurface(mesh, topology, linesOf({{{0, 0}, {1, 1}}}), {});
+    const Result<CutSurface> cut =
+        cutSurface(mesh, topology, planOf(linesOf({{{0, 0}, {1, 1}}})), {});
     REQUIRE_FALSE(cut.has_value());
     CHECK(cut.error().code == ErrorCode::limitExceeded);
     CHECK(cut.error().where.find("9.0") != std::string::npos);

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "support/plans.h"
 #include "surface/components.h"
 #include "surface/cut_surface.h"
 
@@ -30,11 +31,12 @@ inline CutResult cutAndCheck(const SurfaceMesh& mesh, const FractureMap& map,
                              double joinDistance = 0.01, uint32_t levels = 1) {
     CutResult result;
     result.before = buildTopology(mesh.positions, mesh.triangles);
-    Result<CutSurface> cut = cutSurface(mesh, result.before, map, {joinDistance});
+    Result<CutSurface> cut = cutSurface(mesh, result.before, planOf(map), {{joinDistance}});
     REQUIRE(cut.has_value());
     result.cut = std::move(*cut);
     CHECK(isFaithfulSplit(mesh, result.before, result.cut, 1e-6));
-    result.components = floodFill(result.cut.surface, result.cut.topology, levels);
+    result.components =
+        floodFill(result.cut.surface, result.cut.topology, result.cut.lines, levels);
     return result;
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "sherd/baker/fracture_map.h"
+#include "sherd/baker/fracture_plan.h"
 #include "sherd/baker/import.h"
 #include "sherd/baker/recipe.h"
 #include "sherd/baker/report.h"
@@ -23,14 +23,14 @@ struct BakedObject {
     BakedObjectReport report;
 };
 
-/// Cuts one mesh along the lines of a map (each line says from which level it cuts), level by
-/// level, into closed fragments with hulls, masses and bonds.
+/// Cuts one mesh along the lines of a plan (each says from which level it cuts), level by level,
+/// into closed fragments with hulls, masses and bonds.
 ///
 /// interiorMaterial: glTF index that hidden faces get.
 /// Errors: noTextureCoordinates, limitExceeded, openMesh, nonManifoldMesh (unless allowOpen),
 /// emptyMap, separatesNothing, notClosed, invalidData (inside out). Casella, Artist-Driven
 /// Fracturing of Polyhedral Surface Meshes, 2013.
-Result<BakedObject> bakeObject(const SurfaceMesh& mesh, const FractureMap& map,
+Result<BakedObject> bakeObject(const SurfaceMesh& mesh, const FracturePlan& plan,
                                const Recipe& recipe, int32_t interiorMaterial,
                                const Progress& progress = {});
 
@@ -39,13 +39,9 @@ struct BakedFile {
     BakeReport report;
 };
 
-/// Bakes every mesh of a model along the same map and hangs the fracture sets on the model's
+/// Bakes every mesh of a model along the same plan and hangs the fracture sets on the model's
 /// document. Hidden faces get the recipe's interior material, or a neutral one that is added.
-Result<BakedFile> bakeModel(const Model& model, const FractureMap& map, const Recipe& recipe,
+Result<BakedFile> bakeModel(const Model& model, const FracturePlan& plan, const Recipe& recipe,
                             const Progress& progress = {});
-
-/// The lines of several maps as one: with more than one map, those of the k-th cut from level k,
-/// whatever their layers say; levels without lines are closed up.
-FractureMap combineMaps(std::vector<FractureMap> maps);
 
 }  // namespace sherd

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sherd/baker/fracture_map.h"
+#include "sherd/baker/pattern.h"
+#include "sherd/baker/projection.h"
+
+namespace sherd {
+
+/// All fracture lines of a bake, whatever their sources, each with the level from which it cuts.
+struct FracturePlan {
+    struct Drawing {
+        FractureMap map;
+        Projection projection;
+    };
+    struct Grown {
+        Pattern pattern;
+        uint32_t level = 1;
+    };
+    std::vector<Drawing> drawings;
+    std::vector<Grown> patterns;
+};
+
+/// Several plans as one. With more than one, the lines of the k-th cut from level k, whatever their
+/// layers say.
+FracturePlan stackLevels(std::vector<FracturePlan> levels);
+
+}  // namespace sherd

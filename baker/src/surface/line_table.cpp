@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "surface/line_table.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace sherd {
+
+std::vector<uint32_t> LineTable::assign(std::vector<Line> lines) {
+    std::vector<uint32_t> order(lines.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](uint32_t a, uint32_t b) { return lines[a].level < lines[b].level; });
+    for (uint32_t i = 0, last = 0, level = 0; i < order.size(); ++i) {
+        LineTable::Line& line = lines[order[i]];
+        if (line.level != last) ++level;
+        last = line.level;
+        line.level = level;
+    }
+    std::vector<uint32_t> marks(lines.size());
+    lines_.clear();
+    lines_.reserve(lines.size());
+    for (const uint32_t i : order) {
+        lines_.push_back(std::move(lines[i]));
+        marks[i] = static_cast<uint32_t>(lines_.size());
+    }
+    return marks;
+}
+
+}  // namespace sherd
