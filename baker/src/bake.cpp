@@ -121,9 +121,7 @@ class Bake {
     /// Thesis steps 1 to 5: the surface is cut into components.
     Result<void> cut() {
         const StageTimer timer = stage("cutting", 0.1);
-        Result<CutSurface> done =
-            cutSurface(mesh_, meshTopology_, plan_,
-                       {{recipe_.seamJoinShare * diagonal_, recipe_.interior.thesis}});
+        Result<CutSurface> done = cutSurface(mesh_, meshTopology_, plan_, cutOptions());
         if (!done) return tl::unexpected(done.error());
 #ifdef SHERD_VALIDATE
         if (!isFaithfulSplit(mesh_, meshTopology_, *done, 1e-4)) {
@@ -131,14 +129,25 @@ class Bake {
                         mesh_.name);
         }
 #endif
-        surface_ = std::move(done->surface);
-        topology_ = std::move(done->topology);
-        if (done->lines.size() == 0)
+        cut_ = std::move(*done);
+        if (cut_.lines.size() == 0)
             return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
-        components_ = floodFill(surface_, topology_, done->lines, done->lines.levels());
-        report().splitTriangles = static_cast<uint32_t>(surface_.triangles.size());
-        reportCutting(*done, report());
-        return judgeSeparation(components_, *done, report());
+        std::vector<CellReport> cells;
+        components_ = componentsOf(cut_, recipe_.splitParts, cells);
+        reportCells(cells, report());
+        report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
+        reportCutting(cut_, report());
+        return judgeSeparation(components_, cut_, report());
+    }
+
+    CutOptions cutOptions() const {
+        CutOptions options;
+        options.seams = {recipe_.seamJoinShare * diagonal_, recipe_.interior.thesis};
+        options.closeGaps = recipe_.closeGaps;
+        options.snapDistance = recipe_.snapShare * diagonal_;
+        options.wrap = recipe_.wrap;
+        options.splitPatches = recipe_.splitParts;
+        return options;
     }
 
     /// Thesis steps 6 and 7: hidden points, and every component closed by its sheet and walls.
@@ -148,11 +157,11 @@ class Bake {
         report().stages.push_back({"of it, Delaunay", medial.qhullSeconds});
         for (const std::string& warning : medial.warnings)
             report().findings.push_back({"medial", warning, "", 1});
-        const std::vector<MergedLeaf> small =
-            mergeSmallLeaves(surface_, topology_, recipe_.minimumComponentShare, components_);
+        const std::vector<MergedLeaf> small = mergeSmallLeaves(
+            cut_.surface, cut_.topology, recipe_.minimumComponentShare, components_);
         const InsideTest inside(mesh_.positions, mesh_.triangles);
-        hidden_ = hiddenPoints(surface_, medial.points, inside, recipe_.threads);
-        pieces_ = mendPieces(surface_, topology_, inside, hidden_.points, components_);
+        hidden_ = hiddenPoints(cut_.surface, medial.points, inside, recipe_.threads);
+        pieces_ = mendPieces(cut_.surface, cut_.topology, inside, hidden_.points, components_);
         reportPieces(small, pieces_, report());
     }
 
@@ -160,11 +169,11 @@ class Bake {
     Result<void> proveClosed() {
         const StageTimer timer = stage("proving closed", 0.7);
         for (uint32_t level = 1; level <= components_.levels; ++level) {
-            const ClosedReport proof =
-                proveByIds(levelTopology(surface_, topology_, components_, pieces_.faces, level));
+            const ClosedReport proof = proveByIds(
+                levelTopology(cut_.surface, cut_.topology, components_, pieces_.faces, level));
             // Where the mesh touches itself along an edge a piece may do the same.
             const bool excused =
-                topology_.pinchedEdges + topology_.nonManifoldEdges > 0 && proof.closed();
+                cut_.topology.pinchedEdges + cut_.topology.nonManifoldEdges > 0 && proof.closed();
             if (proof.manifold() || excused) continue;
             return fail(ErrorCode::notClosed,
                         "a fragment of level " + std::to_string(level) + " is not closed (" +
@@ -194,7 +203,7 @@ class Bake {
             const double tile = recipe_.interior.uvMetresPerTile > 0
                                     ? recipe_.interior.uvMetresPerTile
                                     : diagonal_ / 4;
-            assembleGeometry({mesh_, surface_, components_, hierarchy, pieces_.faces,
+            assembleGeometry({mesh_, cut_.surface, components_, hierarchy, pieces_.faces,
                               hidden_.points, static_cast<uint32_t>(mesh_.materials.size()), tile},
                              set);
         }
@@ -243,8 +252,7 @@ class Bake {
     double diagonal_ = 0;
     double medialSeconds_ = 0;
     MeshTopology meshTopology_;
-    SplitSurface surface_;
-    MeshTopology topology_;  ///< of the split surface
+    CutSurface cut_;
     Components components_;
     HiddenPoints hidden_;
     MendedPieces pieces_;

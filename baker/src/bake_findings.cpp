@@ -36,6 +36,10 @@ std::string places(const std::vector<Item>& items, Place&& place) {
     return items.size() > kShown ? result + "; ..." : result;
 }
 
+std::string placeOf(const Spot& spot) {
+    const std::string uv = spot.uv ? text("UV (%.5g, %.5g) at ", spot.uv->x, spot.uv->y) : "";
+    return uv + at(spot.position) + (spot.note.empty() ? "" : " [" + spot.note + "]");
+}
 std::string placeOf(const LooseEnd& end) {
     return text("UV (%.5g, %.5g)", end.uv.x, end.uv.y) + " at " + at(end.position);
 }
@@ -49,7 +53,7 @@ std::string looseEnds(const CutSurface& cut) {
     }
     if (!cut.deadEnds.empty()) {
         result.append(". Lines ending in the surface: ")
-            .append(places(cut.deadEnds, [](const LooseEnd& e) { return placeOf(e); }));
+            .append(places(cut.deadEnds, [](const Spot& e) { return placeOf(e); }));
     }
     return result;
 }
@@ -186,6 +190,27 @@ Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal) {
                 "mesh \"" + mesh.name + "\"");
 }
 
+void reportCells(const std::vector<CellReport>& cells, BakedObjectReport& report) {
+    for (const CellReport& cell : cells) {
+        std::string message = "the pattern " + cell.text + " made " + counted(cell.made, "piece");
+        if (cell.made != cell.asked) message += ", " + std::to_string(cell.asked) + " were asked";
+        if (cell.domains > cell.asked)
+            message += "; what it divides is in " + counted(cell.domains, "part") +
+                       " that do not touch, and each is a piece at least";
+        else if (cell.made > cell.asked && cell.domains > 1)
+            message += "; its cells are cut by the borders of " + counted(cell.domains, "piece") +
+                       " of the level before";
+        else if (cell.made > cell.asked)
+            message += "; its cells end at the borders of charts or sides";
+        else if (cell.made < cell.asked)
+            message += "; some of its cells do not meet the surface";
+        if (cell.strays > 0)
+            message += "; " + counted(cell.strays, "stray bit") +
+                       " of cells joined the neighbour with the longest border";
+        report.findings.push_back({"pattern", message, "level " + std::to_string(cell.level), 1});
+    }
+}
+
 void reportCutting(const CutSurface& cut, BakedObjectReport& report) {
     for (const std::string& warning : cut.warnings)
         report.findings.push_back({"map", warning, "", 1});
@@ -200,10 +225,9 @@ void reportCutting(const CutSurface& cut, BakedObjectReport& report) {
              static_cast<uint32_t>(cut.seams.loose.size())});
     }
     if (!cut.deadEnds.empty()) {
-        report.findings.push_back(
-            {"dead-ends", "lines end in the surface",
-             places(cut.deadEnds, [](const LooseEnd& e) { return placeOf(e); }),
-             static_cast<uint32_t>(cut.deadEnds.size())});
+        report.findings.push_back({"dead-ends", "lines end in the surface",
+                                   places(cut.deadEnds, [](const Spot& e) { return placeOf(e); }),
+                                   static_cast<uint32_t>(cut.deadEnds.size())});
     }
 }
 

@@ -25,6 +25,9 @@ Result<void> judgeMerged(const Components& components, const MendedPieces& piece
 /// Refuses sizes at which masses and moments of inertia do not fit a float.
 Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal);
 
+/// How many pieces patterns made of those asked for, and why.
+void reportCells(const std::vector<CellReport>& cells, BakedObjectReport& report);
+
 void reportCutting(const CutSurface& cut, BakedObjectReport& report);
 void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,
                   BakedObjectReport& report);

@@ -23,6 +23,7 @@ struct TexturePlacement {
     glm::dmat3 transform{1.0};  ///< column-major as in glm; the last row is 0 0 1
     Wrap wrapU = Wrap::repeat;
     Wrap wrapV = Wrap::repeat;
+    bool pictured = false;  ///< there is a texture; without one the page ends nowhere
     friend bool operator==(const TexturePlacement&, const TexturePlacement&) = default;
 };
 
@@ -48,7 +49,7 @@ struct SurfaceMesh {
     /// in scene coordinates. A level that no name says is 1.
     std::vector<FractureMap::SurfaceLine> lines;
     std::vector<int32_t> sameNodes;  ///< other glTF nodes that show the very same mesh, same scale
-    std::vector<int32_t> joinedNodes;  ///< other glTF nodes whose meshes are part of this object
+    std::vector<int32_t> joinedNodes;   ///< other glTF nodes whose meshes are part of this object
     std::vector<std::string> warnings;  ///< what the importer mended or dropped, a sentence each
 };
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "sherd/baker/fracture_map.h"
+
+namespace sherd {
+
+/// A dangling end and where it was led to.
+struct ClosedGap {
+    glm::dvec2 from, to;
+};
+
+/// Leads every dangling end of the drawing on to the nearest place of a line within `reach` (UV
+/// units); its own line only ahead of it. The line that is met gets a corner there. Lines are
+/// changed and added at the end; `lineOf` (per added line): the one it continues.
+Result<std::vector<ClosedGap>> closeGaps(FractureMap& map, double reach,
+                                         std::vector<uint32_t>& lineOf);
+
+}  // namespace sherd
