@@ -57,7 +57,7 @@ class Bake {
         if (!cutDone) return tl::unexpected(cutDone.error());
         if (!medialDone) return tl::unexpected(medialDone.error());
         stitchPieces(*medialDone);
-        if (auto ok = judgeMerged(components_, pieces_, report()); !ok) {
+        if (auto ok = judgeMerged(components_, cut_, pieces_, report()); !ok) {
             return tl::unexpected(ok.error());
         }
         if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());

@@ -129,7 +129,7 @@ Result<void> judgeSeparation(const Components& components, const CutSurface& cut
                              BakedObjectReport& report) {
     report.levels.resize(components.levels + 1);
     report.levels[0].components = report.parts = components.parts;
-    uint32_t before = components.parts;
+    uint32_t before = cut.hasCells(1) ? 1 : components.parts;
     for (uint32_t k = 1; k <= components.levels; ++k) {
         const uint32_t count = components.count[k - 1];
         report.levels[k].components = count;
@@ -141,6 +141,14 @@ Result<void> judgeSeparation(const Components& components, const CutSurface& cut
                         "mesh \"" + report.name + "\"");
         }
         if (count <= before) {
+            if (cut.hasCells(k)) {
+                return fail(ErrorCode::separatesNothing,
+                            "the pattern of level " + std::to_string(k) +
+                                " asks for no more than " + counted(count, "piece") +
+                                ", which there " + (count == 1 ? "is" : "are") +
+                                " without it; ask for more",
+                            "mesh \"" + report.name + "\"");
+            }
             return fail(ErrorCode::separatesNothing,
                         "the lines of level " + std::to_string(k) +
                             " separate nothing: the surface has " + counted(count, "component") +
@@ -155,8 +163,8 @@ Result<void> judgeSeparation(const Components& components, const CutSurface& cut
     return {};
 }
 
-Result<void> judgeMerged(const Components& components, const MendedPieces& pieces,
-                         const BakedObjectReport& report) {
+Result<void> judgeMerged(const Components& components, const CutSurface& cut,
+                         const MendedPieces& pieces, const BakedObjectReport& report) {
     const std::string where = "mesh \"" + report.name + "\"";
     if (pieces.empty > 0) {
         return fail(
@@ -165,7 +173,7 @@ Result<void> judgeMerged(const Components& components, const MendedPieces& piece
                 " without volume: the surface is flat or has no inside; give it a thickness",
             where);
     }
-    uint32_t before = report.parts;
+    uint32_t before = cut.hasCells(1) ? 1 : report.parts;
     for (uint32_t k = 1; k <= components.levels; ++k) {
         if (components.count[k - 1] <= before) {
             return fail(ErrorCode::separatesNothing,
@@ -245,6 +253,13 @@ void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& piec
         report.findings.push_back({"merged-empty", "pieces without volume joined a neighbour",
                                    places(pieces.merged, place),
                                    static_cast<uint32_t>(pieces.merged.size())});
+    }
+    if (pieces.shelled > 0) {
+        report.findings.push_back({"shelled",
+                                   "pieces to which the medial surface gives no thickness got a "
+                                   "shell; the mesh is coarse "
+                                   "there, refine it for fuller pieces",
+                                   "", pieces.shelled});
     }
     if (pieces.thinned > 0) {
         report.findings.push_back(

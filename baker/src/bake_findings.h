@@ -19,8 +19,8 @@ Result<void> judgeSeparation(const Components& components, const CutSurface& cut
                              BakedObjectReport& report);
 
 /// The same after pieces were merged, and refuses objects of which no piece has a volume.
-Result<void> judgeMerged(const Components& components, const MendedPieces& pieces,
-                         const BakedObjectReport& report);
+Result<void> judgeMerged(const Components& components, const CutSurface& cut,
+                         const MendedPieces& pieces, const BakedObjectReport& report);
 
 /// Refuses sizes at which masses and moments of inertia do not fit a float.
 Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal);

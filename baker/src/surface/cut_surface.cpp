@@ -559,6 +559,12 @@ Result<CutSurface> cutSurface(const SurfaceMesh& mesh, const MeshTopology& topol
     return SurfaceCutter(mesh, topology, plan, options).run();
 }
 
+bool CutSurface::hasCells(uint32_t level) const {
+    return std::any_of(cells.begin(), cells.end(), [level](const CellLevel& c) {
+        return c.level == level && c.cellOf != nullptr;
+    });
+}
+
 Components componentsOf(const CutSurface& cut, bool splitPatches,
                         std::vector<CellReport>& reports) {
     return findPieces(cut.surface, cut.topology, cut.lines, cut.lines.levels(), cut.groups,

@@ -53,6 +53,9 @@ struct CutSurface {
     std::vector<ClosedGap> closedGaps;
     std::vector<std::string> offCharts;  ///< lines that touch no chart
     std::vector<std::string> warnings;
+
+    /// Whether a pattern's cells, not patches, are the pieces of a level.
+    bool hasCells(uint32_t level) const;
 };
 
 /// The lines of `mesh` itself and of the plan. Errors: noTextureCoordinates, limitExceeded,

@@ -7,8 +7,8 @@
 #include <optional>
 #include <tuple>
 
+#include "geometry/ray_hit.h"
 #include "geometry/triangle.h"
-#include "geometry/triangle_bvh.h"
 #include "geometry/union_find.h"
 
 namespace sherd {
@@ -49,55 +49,10 @@ class Through {
         const glm::dvec3 c = surface_.positions[v[2]];
         const glm::dvec3 from = (a + b + c) / 3.0;
         const glm::dvec3 inwards = glm::cross(c - a, b - a);
-        double nearest = 1e300;
-        uint32_t hit = kNone;
-        const auto wants = [&](const glm::vec3& low, const glm::vec3& high) {
-            return rayMeetsBox(from, inwards, low, high);
-        };
-        tree_->forEach(wants, [&](uint32_t other, const auto& corners) {
-            if (other == triangle) return;
-            const double t = hitAt(from, inwards, corners);
-            if (t <= 0 || t > nearest || (t == nearest && other > hit)) return;
-            nearest = t;
-            hit = other;
-        });
-        return hit;
+        return firstHit(*tree_, from, inwards, triangle).triangle;
     }
 
   private:
-    static bool rayMeetsBox(const glm::dvec3& from, const glm::dvec3& along, const glm::vec3& low,
-                            const glm::vec3& high) {
-        double enter = 0;
-        double leave = 1e300;
-        for (int k = 0; k < 3; ++k) {
-            if (along[k] == 0) {
-                if (from[k] < low[k] || from[k] > high[k]) return false;
-                continue;
-            }
-            const double x = (low[k] - from[k]) / along[k];
-            const double y = (high[k] - from[k]) / along[k];
-            enter = std::max(enter, std::min(x, y));
-            leave = std::min(leave, std::max(x, y));
-        }
-        return enter <= leave;
-    }
-    /// Moeller and Trumbore 1997; 0: none.
-    static double hitAt(const glm::dvec3& from, const glm::dvec3& along,
-                        const std::array<glm::vec3, 3>& corners) {
-        const glm::dvec3 a = corners[0];
-        const glm::dvec3 ab = glm::dvec3(corners[1]) - a;
-        const glm::dvec3 ac = glm::dvec3(corners[2]) - a;
-        const glm::dvec3 p = glm::cross(along, ac);
-        const double det = glm::dot(ab, p);
-        if (det == 0) return 0;
-        const glm::dvec3 s = from - a;
-        const double u = glm::dot(s, p) / det;
-        const glm::dvec3 q = glm::cross(s, ab);
-        const double v = glm::dot(along, q) / det;
-        if (u < 0 || v < 0 || u + v > 1) return 0;
-        return glm::dot(ac, q) / det;
-    }
-
     const SplitSurface& surface_;
     std::optional<TriangleBvh> tree_;  ///< built when first asked: most surfaces never do
 };
