@@ -417,6 +417,8 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         ->allow_extra_args(false);
     command->add_option("--uv", arguments->import.uvSet, "The UV set the lines are drawn in")
         ->capture_default_str();
+    command->add_flag("--join", arguments->import.join,
+                      "Take the chosen nodes for parts of one object, named after the first");
     command->add_option("--interior", arguments->interior, "How pieces are closed inside")
         ->check(CLI::IsMember({"medial"}))
         ->capture_default_str();
