@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "assembly/geometry.h"
+#include "assembly/labels.h"
 #include "assembly/physics.h"
 #include "bake_findings.h"
 #include "geometry/closed_mesh.h"
@@ -15,6 +16,7 @@
 #include "interior/piece_mending.h"
 #include "surface/component_merging.h"
 #include "surface/cut_surface.h"
+#include "surface/surface_point.h"
 #include "surface/vertex_fans.h"
 
 namespace sherd {
@@ -185,6 +187,28 @@ class Bake {
         return {};
     }
 
+    std::vector<PlacedLabel> placeLabels() {
+        std::vector<PlacedLabel> placed;
+        std::optional<PlaceFinder> finder;
+        std::vector<UvTriangle> uv;
+        for (const FracturePlan::Drawing& drawing : plan_.drawings) {
+            for (const FractureMap::Label& label : drawing.map.labels) {
+                if (!finder) {
+                    if (auto frames = snapUv(mesh_)) uv = std::move(*frames);
+                    finder.emplace(mesh_, cut_.surface, cut_.topology.degenerate, uv);
+                }
+                const std::optional<SurfacePoint> point = finder->find(label.place);
+                if (point && point->distance <= recipe_.snapShare * diagonal_)
+                    placed.push_back({&label, point->triangle});
+                else
+                    report().findings.push_back(
+                        {"label", "a label lies on no component; move it onto the surface",
+                         label.source, 1});
+            }
+        }
+        return placed;
+    }
+
     void assemble() {
         FractureSet& set = result_.set;
         set.name = mesh_.name;
@@ -195,6 +219,9 @@ class Bake {
         set.materials.push_back(interiorMaterial_);
         const Hierarchy hierarchy = buildHierarchy(components_);
         assembleFragments(hierarchy, recipe_.physics, set);
+        const std::vector<PlacedLabel> labels = placeLabels();
+        for (const std::string& problem : assembleLabels(labels, components_, hierarchy, set))
+            report().findings.push_back({"label", problem, "", 1});
         for (size_t k = 0; k < recipe_.levels.size() && k + 1 < set.levels.size(); ++k) {
             set.levels[k + 1].name = recipe_.levels[k].name;
         }
@@ -209,7 +236,7 @@ class Bake {
         }
         {
             const StageTimer timer = stage("masses", 0.8);
-            const uint32_t boxed = assembleMasses(hierarchy, recipe_.physics, recipe_.threads, set);
+            const uint32_t boxed = assembleMasses(hierarchy, recipe_.threads, set);
             if (boxed > 0) {
                 report().findings.push_back({"boxed-inertia",
                                              "pieces overlap themselves too much to have an "
@@ -222,7 +249,11 @@ class Bake {
             assembleHulls(recipe_.physics, recipe_.threads, set);
         }
         const StageTimer timer = stage("bonds", 0.9);
-        assembleBonds(hierarchy, recipe_.physics, 1e-3 * diagonal_, recipe_.threads, set);
+        assembleBonds(
+            hierarchy,
+            lineStrengths(cut_.surface, cut_.topology, cut_.lines, components_, hierarchy),
+            1e-3 * diagonal_, recipe_.threads, set);
+        assembleAnchors(labels, cut_.surface, components_, hierarchy, set);
     }
 
     /// The last proof, over the positions that are written: no fragment that fails it leaves here.

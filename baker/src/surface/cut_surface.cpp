@@ -166,9 +166,9 @@ class SurfaceCutter {
         }
         std::vector<size_t> uses(mesh_.placements.size(), 0);
         for (const uint32_t slot : mesh_.triangleMaterials)
-            if (slot < uses.size() && mesh_.placements[slot].pictured) ++uses[slot];
+            if (slot < uses.size()) ++uses[slot];
         const auto most = std::max_element(uses.begin(), uses.end());
-        if (most == uses.end() || *most == 0) return {Wrap::repeat, Wrap::repeat, false};
+        if (most == uses.end()) return {};
         const TexturePlacement& chosen = mesh_.placements[static_cast<size_t>(most - uses.begin())];
         for (size_t slot = 0; slot < uses.size(); ++slot) {
             const TexturePlacement& other = mesh_.placements[slot];

@@ -39,7 +39,7 @@ struct PhysicsSettings {
 
 /// Which lines a point outside the drawing's page meets.
 enum class PageWrap : uint8_t {
-    texture,  ///< those that the picture of its material shows there; without a picture, as `none`
+    texture,  ///< those that the picture of its material shows there; without a picture, repeat
     none,     ///< the page is a part of an endless sheet
     repeat,
     mirror,

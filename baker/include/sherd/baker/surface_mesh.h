@@ -23,7 +23,6 @@ struct TexturePlacement {
     glm::dmat3 transform{1.0};  ///< column-major as in glm; the last row is 0 0 1
     Wrap wrapU = Wrap::repeat;
     Wrap wrapV = Wrap::repeat;
-    bool pictured = false;  ///< there is a texture; without one the page ends nowhere
     friend bool operator==(const TexturePlacement&, const TexturePlacement&) = default;
 };
 
