@@ -138,7 +138,7 @@ class Bake {
         components_ = componentsOf(cut_, recipe_.splitParts, cells);
         reportCells(cells, report());
         report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
-        reportCutting(cut_, report());
+        reportCutting(mesh_, cut_, components_, report());
         return judgeSeparation(components_, cut_, report());
     }
 
@@ -164,7 +164,7 @@ class Bake {
         const InsideTest inside(mesh_.positions, mesh_.triangles);
         hidden_ = hiddenPoints(cut_.surface, medial.points, inside, recipe_.threads);
         pieces_ = mendPieces(cut_.surface, cut_.topology, inside, hidden_.points, components_);
-        reportPieces(small, pieces_, report());
+        reportPieces(mesh_, small, pieces_, report());
     }
 
     /// Every fragment of every level, over vertex ids; over positions it is proven after assembly.

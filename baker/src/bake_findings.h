@@ -28,9 +28,10 @@ Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal);
 /// How many pieces patterns made of those asked for, and why.
 void reportCells(const std::vector<CellReport>& cells, BakedObjectReport& report);
 
-void reportCutting(const CutSurface& cut, BakedObjectReport& report);
-void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,
-                  BakedObjectReport& report);
+void reportCutting(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,
+                   BakedObjectReport& report);
+void reportPieces(const SurfaceMesh& mesh, const std::vector<MergedLeaf>& small,
+                  const MendedPieces& pieces, BakedObjectReport& report);
 
 /// Counts, closed ones proven over positions, and volume shares.
 void reportFragments(const FractureSet& set, BakedObjectReport& report);

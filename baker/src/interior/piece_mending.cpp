@@ -119,14 +119,13 @@ MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topolog
             leaves.begin());
         std::vector<uint32_t> into(components.leafCount);
         std::iota(into.begin(), into.end(), 0U);
-        const std::vector<double> areas = leafAreas(surface, components);
-        const std::vector<glm::dvec3> places = placesOfLeaves(surface, components);
+        const std::vector<MergedLeaf> places = placesOfLeaves(surface, components);
         bool changed = false;
         for (const uint32_t leaf : empty) {
             // A closed part turned inwards is a hollow in the part around it.
             into[leaf] = best[leaf] == kNone ? largest : best[leaf];
             if (into[leaf] == leaf) continue;
-            result.merged.push_back({areas[leaf], places[leaf]});
+            result.merged.push_back(places[leaf]);
             changed = true;
         }
         if (!changed) break;

@@ -6,9 +6,6 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "map/planar_map.h"
-#include "surface/map_index.h"
-
 namespace sherd {
 namespace {
 
@@ -87,6 +84,12 @@ void addCorner(FractureMap::Line& line, const glm::dvec2& place) {
 }
 
 }  // namespace
+
+std::optional<glm::dvec2> lineNear(const PlanarMap& map, const MapIndex& index, uint32_t node,
+                                   uint32_t edge, double reach) {
+    const std::optional<Target> target = nearestLine(map, index, {node, edge}, reach);
+    return target ? std::optional(target->place) : std::nullopt;
+}
 
 Result<std::vector<ClosedGap>> closeGaps(FractureMap& map, double reach,
                                          std::vector<uint32_t>& lineOf) {

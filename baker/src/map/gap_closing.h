@@ -2,9 +2,11 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <optional>
 #include <vector>
 
-#include "sherd/baker/fracture_map.h"
+#include "map/planar_map.h"
+#include "surface/map_index.h"
 
 namespace sherd {
 
@@ -12,6 +14,11 @@ namespace sherd {
 struct ClosedGap {
     glm::dvec2 from, to;
 };
+
+/// The nearest place of another line within `reach` of a node that `edge` alone ends at; of its own
+/// line only ahead of it.
+std::optional<glm::dvec2> lineNear(const PlanarMap& map, const MapIndex& index, uint32_t node,
+                                   uint32_t edge, double reach);
 
 /// Leads every dangling end of the drawing on to the nearest place of a line within `reach` (UV
 /// units); its own line only ahead of it. The line that is met gets a corner there. Lines are

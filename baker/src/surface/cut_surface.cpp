@@ -2,7 +2,9 @@
 #include "surface/cut_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <map>
@@ -233,13 +235,15 @@ class SurfaceCutter {
     /// Lines that lie wholly outside every chart.
     void noteLinesOffCharts(const Page& page, const PlanarMap& map, std::span<const Cut> cuts) {
         std::vector<uint8_t> touches(result_.lines.size() + 1, 0);
-        std::vector<uint8_t> drawn(result_.lines.size() + 1, 0);
         for (const Cut& cut : cuts) touches[cut.line] = 1;
-        // A line all of which another covers is not off the charts.
-        for (const MapEdge& edge : map.edges) drawn[page.marks[edge.line]] = 1;
-        for (uint32_t mark = 1; mark < drawn.size(); ++mark)
-            if (drawn[mark] != 0 && touches[mark] == 0)
-                result_.offCharts.push_back(result_.lines.line(mark).source);
+        // A line all of which another covers has no edge here and is not off the charts.
+        for (const MapEdge& edge : map.edges) {
+            const uint32_t mark = page.marks[edge.line];
+            if (touches[mark] != 0) continue;
+            touches[mark] = 1;
+            result_.offCharts.push_back(
+                {std::nullopt, nodeUv(map, edge.from), result_.lines.line(mark).source});
+        }
     }
 
     struct Pass {
@@ -294,6 +298,7 @@ class SurfaceCutter {
             ++degree[edge.to];
         }
         std::map<uint32_t, const Cut*> cutOfNode;
+        std::optional<MapIndex> index;
         for (const Cut& cut : cuts) {
             for (const CutEnd& end : {cut.from, cut.to}) {
                 if (end.where == CutEnd::Where::inside && degree[end.node] == 1)
@@ -303,9 +308,24 @@ class SurfaceCutter {
         for (const auto& [node, cut] : cutOfNode) {
             const glm::dvec3 position =
                 positionAt(cut->triangle, pass.frames[cut->triangle], nodeUv(pass.map, node));
-            result_.deadEnds.push_back(
-                {position, uvAt(cut->triangle, position), result_.lines.line(cut->line).source});
+            std::string note = result_.lines.line(cut->line).source;
+            if (pass.seams) {
+                if (!index) index.emplace(pass.map);
+                const auto ahead = lineNear(pass.map, *index, node, cut->mapEdge, kSmallGap);
+                if (ahead) note += gapNote(glm::distance(*ahead, nodeUv(pass.map, node)));
+            }
+            result_.deadEnds.push_back({position, uvAt(cut->triangle, position), note});
         }
+    }
+
+    /// A line that ends this near another, in page units, was most likely meant to reach it.
+    static constexpr double kSmallGap = 0.02;
+    static std::string gapNote(double distance) {
+        std::array<char, 96> text{};
+        std::snprintf(text.data(), text.size(),
+                      ", %.2g short of a line: --close-gaps %.2g leads it there", distance,
+                      1.2 * distance);
+        return text.data();
     }
 
     /// The place of the frame's point on the triangle.
@@ -347,8 +367,11 @@ class SurfaceCutter {
         for (const SurfacePlace& place : line.places) {
             const std::optional<SurfacePoint> point = finder.find(place);
             if (!point || point->distance > options_.snapDistance) {
-                Spot spot{place.point, std::nullopt, line.source};
-                if (!place.in3d) spot.uv = glm::dvec2(place.point);
+                BakePlace spot{std::nullopt, std::nullopt, line.source};
+                if (place.in3d)
+                    spot.position = place.point;
+                else
+                    spot.uv = glm::dvec2(place.point);
                 result_.offSurface.push_back(std::move(spot));
                 previous.reset();
                 continue;
@@ -364,7 +387,7 @@ class SurfaceCutter {
         const std::optional<SurfacePath> path = tracer.trace(from, to, mark);
         const auto spot = [&] {
             const glm::dvec3 position = positionOf(result_.surface, to);
-            return Spot{position, uvAt(to.triangle, position), line.source};
+            return BakePlace{position, uvAt(to.triangle, position), line.source};
         };
         if (!path) {
             result_.gaps.push_back(spot());
@@ -478,8 +501,8 @@ class SurfaceCutter {
         return glm::distance(low, high);
     }
 
-    /// A pattern drawn on a page: a grid in UV or on a box is lines and seams; on a plane its cells
-    /// go through, and so do those of a radial one.
+    /// A pattern drawn on a page: on a plane its cells go through the object, and so do those of a
+    /// radial one; on a box they end at its edges; around an axis patches are pieces.
     Result<void> growPage(const Pattern& pattern, uint32_t level, uint32_t mark,
                           const Domains& domains) {
         const bool radial = pattern.kind == Pattern::Kind::radial;
@@ -515,7 +538,17 @@ class SurfaceCutter {
             result_.cells.push_back(std::move(cells));
             return cutPage(page, framesOnPlane(result_.surface, plane).triangles);
         }
-        // No cell goes round a corner: patches are pieces.
+        if (kind == Kind::box) {
+            // What faces another side for a moment (a groove, a rivet) strays to its neighbours.
+            cells.wholeCells = false;
+            cells.asked = 6 * drawn.cells;
+            cells.cellOf = [this, planes = boxPlanes(result_.surface), cellAt = drawn.cellAt,
+                            count = drawn.cells](uint32_t, uint32_t source,
+                                                 const glm::dvec3& position) {
+                const uint8_t side = boxSide(mesh_, source);
+                return side * count + cellAt(planes[side].at(position));
+            };
+        }
         result_.cells.push_back(std::move(cells));
         const PageFrames frames = projectedFrames(mesh_, result_.surface, pattern.projection);
         tile(page, Wrap::repeat, Wrap::repeat, {0, frames.tilesU - 1, 0, 0});

@@ -13,6 +13,7 @@
 #include "pattern/site_sampling.h"
 #include "sherd/baker/fracture_plan.h"
 #include "sherd/baker/recipe.h"
+#include "sherd/baker/report.h"
 #include "sherd/baker/surface_mesh.h"
 #include "surface/line_table.h"
 #include "surface/mesh_topology.h"
@@ -32,13 +33,6 @@ struct CutOptions {
     std::map<std::string, Density> densities;
 };
 
-/// A place on the surface that an artist should look at.
-struct Spot {
-    glm::dvec3 position{0.0};
-    std::optional<glm::dvec2> uv;
-    std::string note;  ///< what is there, e.g. the line
-};
-
 struct CutSurface {
     SplitSurface surface;
     MeshTopology topology;  ///< of the split surface
@@ -46,12 +40,12 @@ struct CutSurface {
     PartGroups groups;             ///< empty unless patterns asked for it
     std::vector<CellLevel> cells;  ///< of patterns, shallow to deep
     SeamReport seams;
-    std::vector<Spot> deadEnds;    ///< line ends in the middle of the surface
-    std::vector<Spot> offSurface;  ///< places too far from the surface, or outside every chart
-    std::vector<Spot> gaps;        ///< where no way leads on over the surface
-    std::vector<Spot> alongEdges;  ///< where the way on follows the mesh's edges
+    std::vector<BakePlace> deadEnds;    ///< line ends in the middle of the surface
+    std::vector<BakePlace> offSurface;  ///< places too far from the surface, or outside every chart
+    std::vector<BakePlace> gaps;        ///< where no way leads on over the surface
+    std::vector<BakePlace> alongEdges;  ///< where the way on follows the mesh's edges
     std::vector<ClosedGap> closedGaps;
-    std::vector<std::string> offCharts;  ///< lines that touch no chart
+    std::vector<BakePlace> offCharts;  ///< lines that touch no chart: where one begins, in UV only
     std::vector<std::string> warnings;
 
     /// Whether a pattern's cells, not patches, are the pieces of a level.

@@ -127,10 +127,7 @@ PageFrames wrapAround(const SplitSurface& surface, const glm::dvec3& wanted) {
 }
 
 PageFrames ontoBox(const SurfaceMesh& mesh, const SplitSurface& surface) {
-    const Extent extent = extentOf(surface);
-    std::array<PagePlane, 6> planes;
-    for (int s = 0; s < 6; ++s)
-        planes[static_cast<size_t>(s)] = fit(extent, unitAxis(s / 2) * (s % 2 == 0 ? -1.0 : 1.0));
+    const std::array<PagePlane, 6> planes = boxPlanes(surface);
     PageFrames frames;
     for (const SplitTriangle& t : surface.triangles) {
         std::array<glm::dvec3, 3> p{};
@@ -181,6 +178,15 @@ PageFrames framesOnPlane(const SplitSurface& surface, const PagePlane& plane) {
         frame.kind = classify(frame.corner);
     }
     return frames;
+}
+
+std::array<PagePlane, 6> boxPlanes(const SplitSurface& surface) {
+    const Extent extent = extentOf(surface);
+    std::array<PagePlane, 6> planes;
+    for (int side = 0; side < 6; ++side)
+        planes[static_cast<size_t>(side)] =
+            fit(extent, unitAxis(side / 2) * (side % 2 == 0 ? -1.0 : 1.0));
+    return planes;
 }
 
 uint8_t boxSide(const SurfaceMesh& mesh, uint32_t triangle) {

@@ -2,6 +2,7 @@
 // How a page lies on the surface: every triangle's corners in the coordinates of the drawing.
 #pragma once
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct PageFrames {
 };
 
 PageFrames framesOnPlane(const SplitSurface& surface, const PagePlane& plane);
+
+/// The pages on the six sides of the bounding box, by `boxSide`.
+std::array<PagePlane, 6> boxPlanes(const SplitSurface& surface);
 
 /// The side of the bounding box that a mesh triangle faces most: 2 k for +axis k, 2 k + 1 for -axis
 /// k. By the uncut triangle, so that its pieces never part ways.

@@ -47,9 +47,9 @@ struct FractureMap {
     /// A word about the component that holds a place.
     struct Label {
         SurfacePlace place = {};
-        uint32_t level = 0;    ///< of the component meant; 0: the deepest
-        std::string name;      ///< "": keeps none
-        std::string material;  ///< physical material, a word for the game; "": none
+        uint32_t level = 0;              ///< of the component meant; 0: the deepest
+        std::string name;                ///< "": keeps none
+        std::string material;            ///< physical material, a word for the game; "": none
         std::optional<float> density;    ///< kg/m^3, above 0
         std::optional<float> strength;   ///< Pa
         std::optional<float> toughness;  ///< J/m^2
