@@ -38,7 +38,7 @@ std::vector<CentrePoint> awayFrom(const CentreLine& line, size_t i, size_t near,
 }
 
 struct Sides {
-    StraightFit in, out;  ///< both away from the corner
+    ArmFit in, out;  ///< both away from the corner
     size_t near = 0;
     double turn = 0;
 };
@@ -48,10 +48,10 @@ std::optional<Sides> sidesAt(const CentreLine& line, size_t i, size_t near, doub
                              size_t most) {
     const size_t least = std::max<size_t>(6, static_cast<size_t>(2 * radius));
     if (i + 1 < near + least || i + near + least > line.points.size()) return std::nullopt;
-    const auto in = fitStart(awayFrom(line, i, near, most * least, true), least);
-    const auto out = fitStart(awayFrom(line, i, near, most * least, false), least);
+    const auto in = fitArm(awayFrom(line, i, near, most * least, true), least);
+    const auto out = fitArm(awayFrom(line, i, near, most * least, false), least);
     if (!in || !out) return std::nullopt;
-    const double along = std::clamp(-glm::dot(in->direction, out->direction), -1.0, 1.0);
+    const double along = std::clamp(-glm::dot(in->fit.direction, out->fit.direction), -1.0, 1.0);
     return Sides{*in, *out, near, std::acos(along)};
 }
 
@@ -74,9 +74,9 @@ std::optional<Corner> cornerAt(const CentreLine& line, size_t i, double radius,
             sides = clear;
             break;
         }
-    const StraightFit both[] = {sides->in, sides->out};
+    const StraightFit both[] = {sides->in.fit, sides->out.fit};
     glm::dvec2 at = meetingPoint(both, line.points[i].at);
-    glm::dvec2 outward = -sides->in.direction - sides->out.direction;
+    glm::dvec2 outward = -sides->in.fit.direction - sides->out.fit.direction;
     if (glm::length(outward) == 0) return std::nullopt;
     outward = glm::normalize(outward);
     // No further out than the ink allows: what is no corner but a bend stays where it is, and sides
@@ -87,7 +87,7 @@ std::optional<Corner> cornerAt(const CentreLine& line, size_t i, double radius,
     if (out < 0 || out - allowed > kMostPull) return std::nullopt;
     at = inside + std::max(std::min(out, allowed), 0.0) * outward;
     if (glm::distance(inside, line.points[i].at) > kMostAside + radius / 2) return std::nullopt;
-    return Corner{i - sides->near, i + sides->near, at};
+    return Corner{i - sides->near - sides->in.leaning, i + sides->near + sides->out.leaning, at};
 }
 
 /// How far every point stands out from the chord between those `reach` before and after it: most at

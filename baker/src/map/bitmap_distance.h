@@ -5,9 +5,18 @@
 
 namespace sherd {
 
-/// For every texel of ink, the radius of the largest disc of ink around its centre (distance to the
-/// nearest ground texel's centre, less half a texel); 0 on ground. Beyond the picture nothing is
-/// known, so a line cut off by its border keeps its width.
-Raster<float> inkRadius(const Raster<uint8_t>& mask);
+/// The radius of the largest disc of ink around a texel's centre: the distance to the nearest
+/// ground texel's centre, less half a texel. Beyond the picture nothing is known, so a line cut off
+/// by its border keeps its width.
+class InkRadius {
+  public:
+    explicit InkRadius(const Raster<uint8_t>& mask);
+
+    /// Of a texel of ink. Takes time with the radius.
+    double at(size_t index) const;
+
+  private:
+    Raster<uint16_t> column_;  ///< distance to the nearest ground in the same column; 0 on ground
+};
 
 }  // namespace sherd

@@ -15,7 +15,7 @@ namespace sherd {
 
 namespace {
 
-constexpr double kSide = 0.75;       ///< of the radius, where the end's shape is felt for
+constexpr double kSide = 0.7;        ///< of the radius, where the end's shape is felt for
 constexpr double kLeastRound = 1.2;  ///< texels; the shape of narrower ends cannot be told
 constexpr double kTexelNoise = 0.1;  ///< of an edge's place: below that, shapes are alike
 

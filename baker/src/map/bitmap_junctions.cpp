@@ -59,6 +59,19 @@ size_t undisturbedFrom(const FromEnd& points, double junctionRadius, double line
     return points.size() - 1;
 }
 
+/// The points of an arm from `begin` on: not beyond half of its line, nor more than `most`.
+std::vector<CentrePoint> armPoints(const FromEnd& points, size_t begin, double length,
+                                   size_t most) {
+    std::vector<CentrePoint> result;
+    double walked = 0;
+    for (size_t i = begin; i + 1 < points.size() && result.size() < most; ++i) {
+        if (!result.empty()) walked += glm::distance(result.back().at, points[i].at);
+        if (walked > 0.5 * length) break;
+        result.push_back(points[i]);
+    }
+    return result;
+}
+
 Arm makeArm(const CentreGraph& graph, uint32_t id, bool atTo) {
     const CentreLine& line = graph.lines[id];
     const FromEnd points(line, atTo);
@@ -66,16 +79,23 @@ Arm makeArm(const CentreGraph& graph, uint32_t id, bool atTo) {
     const double radius = medianRadius(line.points);
     const double length = lengthOf(line);
     arm.begin = undisturbedFrom(points, points[0].radius, radius, length);
-    const size_t least = static_cast<size_t>(std::max(8.0, 4 * radius));
-    std::vector<CentrePoint> window;
-    double walked = 0;
-    for (size_t i = arm.begin; i + 1 < points.size() && window.size() < 8 * least; ++i) {
-        if (!window.empty()) walked += glm::distance(window.back().at, points[i].at);
-        if (walked > 0.5 * length) break;
-        window.push_back(points[i]);
+    const auto least = static_cast<size_t>(std::max(8.0, 4 * radius));
+    const std::vector<CentrePoint> window = armPoints(points, arm.begin, length, 8 * least);
+    if (window.size() < 3) return arm;
+    if (const std::optional<ArmFit> found = fitArm(window, least)) {
+        arm.fit = found->fit;
+        arm.begin += found->leaning;
     }
-    if (window.size() >= 3) arm.fit = fitStart(window, least);
     return arm;
+}
+
+/// An arm has no points behind its node, which may have moved along it.
+void startBeyond(Arm& arm, const CentreLine& line, const CentreNode& node) {
+    if (!arm.fit) return;
+    const FromEnd points(line, arm.atTo);
+    while (arm.begin + 1 < points.size() / 2 &&
+           glm::dot(points[arm.begin].at - node.at, arm.fit->direction) < 1 + node.radius / 2)
+        ++arm.begin;
 }
 
 /// Replaces what is between the node and the arm's first point by the node.
@@ -115,14 +135,17 @@ std::vector<StraightFit> fitsOf(const std::vector<Arm>& arms) {
 
 void placeJunction(CentreGraph& graph, uint32_t id) {
     CentreNode& node = graph.nodes[id];
-    const std::vector<Arm> arms = armsOf(graph, id);
+    std::vector<Arm> arms = armsOf(graph, id);
     const std::vector<StraightFit> fits = fitsOf(arms);
     if (fits.size() >= 2) {
         const glm::dvec2 meeting = meetingPoint(fits, node.at);
         // A line that bends within the ink may point anywhere.
         if (glm::distance(meeting, node.at) <= 3 * node.radius + 2) node.at = meeting;
     }
-    for (const Arm& arm : arms) attach(graph.lines[arm.line], arm, node);
+    for (Arm& arm : arms) {
+        startBeyond(arm, graph.lines[arm.line], node);
+        attach(graph.lines[arm.line], arm, node);
+    }
 }
 
 /// Joins node `from` to node `into`.
@@ -149,8 +172,7 @@ bool pointToOnePlace(const CentreGraph& graph, uint32_t id) {
     const double radius = std::max(line.points.front().radius, line.points.back().radius);
     if (glm::distance(place, middle) > lengthOf(line) / 2 + radius + 1) return false;
     return std::all_of(fits.begin(), fits.end(), [&](const StraightFit& fit) {
-        const glm::dvec2 normal(-fit.direction.y, fit.direction.x);
-        return std::abs(glm::dot(normal, place - fit.centre)) <= kOnePlace + 0.1 * radius;
+        return distanceTo(fit, place) <= kOnePlace + 0.1 * radius;
     });
 }
 

@@ -41,7 +41,7 @@ class BitmapReader {
         Result<Ink> ink = findInk(picture_, options_.bitmap.threshold, options_.bitmap.spur, name_);
         if (!ink) return tl::unexpected(ink.error());
         map_.warnings = std::move(ink->warnings);
-        threshold_ = ink->optionThreshold();
+        threshold_ = options_.bitmap.threshold.value_or(ink->optionThreshold());
         std::optional<CentreGraph> graph = trace(*ink);
         if (!graph)
             return fail(ErrorCode::limitExceeded,
@@ -61,7 +61,7 @@ class BitmapReader {
 
   private:
     static std::optional<CentreGraph> trace(const Ink& ink) {
-        const Raster<float> radius = inkRadius(ink.mask);
+        const InkRadius radius(ink.mask);
         Raster<uint8_t> thinned = ink.mask;
         thin(thinned);
         return traceLines(thinned, radius, kMaxBitmapLines);

@@ -17,7 +17,7 @@ constexpr uint8_t kWalked = 4;
 
 class Tracer {
   public:
-    Tracer(Raster<uint8_t>& thinned, const Raster<float>& radius, size_t limit)
+    Tracer(Raster<uint8_t>& thinned, const InkRadius& radius, size_t limit)
         : mask_(thinned), radius_(radius), limit_(limit) {}
 
     std::optional<CentreGraph> trace() {
@@ -43,7 +43,7 @@ class Tracer {
     int degree(size_t i) const { return std::popcount(neighbourhood(mask_, i)); }
 
     CentrePoint pointAt(size_t i) const {
-        return {{mask_.xOf(i) + 0.5, mask_.yOf(i) + 0.5}, radius_.values[i]};
+        return {{mask_.xOf(i) + 0.5, mask_.yOf(i) + 0.5}, radius_.at(i)};
     }
 
     template <class Visit>
@@ -170,7 +170,7 @@ class Tracer {
     }
 
     Raster<uint8_t>& mask_;
-    const Raster<float>& radius_;
+    const InkRadius& radius_;
     size_t limit_;
     std::vector<size_t> junctions_;    ///< texels, ascending
     std::vector<uint32_t> clusterOf_;  ///< their nodes
@@ -179,7 +179,7 @@ class Tracer {
 
 }  // namespace
 
-std::optional<CentreGraph> traceLines(Raster<uint8_t>& thinned, const Raster<float>& radius,
+std::optional<CentreGraph> traceLines(Raster<uint8_t>& thinned, const InkRadius& radius,
                                       size_t limit) {
     return Tracer(thinned, radius, limit).trace();
 }

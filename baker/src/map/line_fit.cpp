@@ -14,6 +14,7 @@ namespace {
 constexpr double kPriorWeight = 0.005;
 
 constexpr double kMostBow = 0.15;   ///< texels between a curve's middle and its chord
+constexpr double kLeaning = 0.35;   ///< texels of a point from the straight line it is not yet on
 constexpr double kMostStray = 0.6;  ///< texels of a point from the straight line
 
 /// Is nothing but texel noise between the points and the line?
@@ -40,6 +41,15 @@ bool isStraight(std::span<const CentrePoint> points, const StraightFit& fit) {
     return square == 0 || std::abs(product / square) * reach * reach <= kMostBow;
 }
 
+std::optional<StraightFit> fitStart(std::span<const CentrePoint> points, size_t least) {
+    // The longest first: texel steps may bend a short stretch more than a long one.
+    for (size_t count = points.size(); count > least; count = count * 3 / 4) {
+        const std::optional<StraightFit> fit = fitStraight(points.first(count));
+        if (fit && isStraight(points.first(count), *fit)) return fit;
+    }
+    return fitStraight(points.first(std::min(least, points.size())));
+}
+
 }  // namespace
 
 std::optional<StraightFit> fitStraight(std::span<const CentrePoint> points) {
@@ -64,13 +74,21 @@ std::optional<StraightFit> fitStraight(std::span<const CentrePoint> points) {
     return fit;
 }
 
-std::optional<StraightFit> fitStart(std::span<const CentrePoint> points, size_t least) {
-    // The longest first: texel steps may bend a short stretch more than a long one.
-    for (size_t count = points.size(); count > least; count = count * 3 / 4) {
-        const std::optional<StraightFit> fit = fitStraight(points.first(count));
-        if (fit && isStraight(points.first(count), *fit)) return fit;
-    }
-    return fitStraight(points.first(std::min(least, points.size())));
+double distanceTo(const StraightFit& fit, glm::dvec2 point) {
+    const glm::dvec2 normal(-fit.direction.y, fit.direction.x);
+    return std::abs(glm::dot(normal, point - fit.centre));
+}
+
+std::optional<ArmFit> fitArm(std::span<const CentrePoint> points, size_t least) {
+    const std::optional<StraightFit> first = fitStart(points, least);
+    if (!first) return std::nullopt;
+    ArmFit arm{*first, 0};
+    while (arm.leaning + 3 < std::min(points.size(), least) &&
+           distanceTo(*first, points[arm.leaning].at) > kLeaning)
+        ++arm.leaning;
+    if (arm.leaning == 0) return arm;
+    if (const auto again = fitStart(points.subspan(arm.leaning), least)) arm.fit = *again;
+    return arm;
 }
 
 glm::dvec2 meetingPoint(std::span<const StraightFit> lines, glm::dvec2 prior) {

@@ -19,9 +19,16 @@ struct StraightFit {
 /// Total least squares (K. Pearson, 1901). Nothing if the points are all one.
 std::optional<StraightFit> fitStraight(std::span<const CentrePoint> points);
 
-/// Of as many of the first points as are straight, but at least `least`: the longer, the better the
-/// direction is known through the steps of texels.
-std::optional<StraightFit> fitStart(std::span<const CentrePoint> points, size_t least);
+double distanceTo(const StraightFit& fit, glm::dvec2 point);
+
+/// Where a drawn line goes on straight, away from a place that bends its centre line.
+struct ArmFit {
+    StraightFit fit;
+    size_t leaning = 0;  ///< first points that are not on it yet
+};
+/// Through as many of the first points as are straight, but at least `least`: the longer, the
+/// better the direction is known through the steps of texels.
+std::optional<ArmFit> fitArm(std::span<const CentrePoint> points, size_t least);
 
 /// The point nearest to all lines (least squares of its distances), held at `prior` where they
 /// leave it open.

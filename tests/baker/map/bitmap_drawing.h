@@ -29,8 +29,8 @@ struct Brush {
 std::vector<uint8_t> coverage(const Drawing& drawing, const Brush& brush);
 
 /// Grey from ground (coverage 0) to ink (255), with normally distributed noise of `sigma`.
-std::vector<uint8_t> shades(const std::vector<uint8_t>& coverage, int ground, int ink,
-                            double sigma, Random& random);
+std::vector<uint8_t> shades(const std::vector<uint8_t>& coverage, int ground, int ink, double sigma,
+                            Random& random);
 
 std::vector<uint8_t> greyPng(const Drawing& drawing, const std::vector<uint8_t>& grey);
 std::vector<uint8_t> greyJpeg(const Drawing& drawing, const std::vector<uint8_t>& grey,
