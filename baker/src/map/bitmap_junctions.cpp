@@ -82,7 +82,8 @@ Arm makeArm(const CentreGraph& graph, uint32_t id, bool atTo) {
     const auto least = static_cast<size_t>(std::max(8.0, 4 * radius));
     const std::vector<CentrePoint> window = armPoints(points, arm.begin, length, 8 * least);
     if (window.size() < 3) return arm;
-    if (const std::optional<ArmFit> found = fitArm(window, least)) {
+    if (const std::optional<ArmFit> found =
+            fitArm(window, least, glm::distance(points[0].at, window[0].at))) {
         arm.fit = found->fit;
         arm.begin += found->leaning;
     }

@@ -13,32 +13,70 @@ namespace {
 // send the point away.
 constexpr double kPriorWeight = 0.005;
 
-constexpr double kMostBow = 0.15;   ///< texels between a curve's middle and its chord
-constexpr double kLeaning = 0.35;   ///< texels of a point from the straight line it is not yet on
-constexpr double kMostStray = 0.6;  ///< texels of a point from the straight line
+constexpr double kMostBow = 0.15;    ///< texels between a curve's middle and its chord
+constexpr double kLeaning = 0.35;    ///< texels of a point from the straight line it is not yet on
+constexpr double kLeastCurve = 0.5;  ///< texels of bow that no noise makes
+constexpr double kMostStray = 0.6;   ///< texels of a point from the straight line
 
-/// Is nothing but texel noise between the points and the line?
-bool isStraight(std::span<const CentrePoint> points, const StraightFit& fit) {
+/// How the points stray from their straight line: as a parabola, square * (along^2 - mean).
+struct Bend {
+    double square = 0;
+    double mean = 0;   ///< of along^2
+    double bow = 0;    ///< of the parabola over the points
+    double stray = 0;  ///< largest distance of a point
+};
+
+Bend bendOf(std::span<const CentrePoint> points, const StraightFit& fit) {
     const glm::dvec2 normal(-fit.direction.y, fit.direction.x);
+    Bend bend;
     double reach = 0;
-    double meanSquare = 0;
     for (const CentrePoint& point : points) {
         const double along = glm::dot(fit.direction, point.at - fit.centre);
         reach = std::max(reach, std::abs(along));
-        meanSquare += along * along / static_cast<double>(points.size());
+        bend.mean += along * along / static_cast<double>(points.size());
     }
-    // Least squares of the deviation by a parabola along the line.
     double product = 0;
-    double square = 0;
+    double weight = 0;
     for (const CentrePoint& point : points) {
         const double along = glm::dot(fit.direction, point.at - fit.centre);
         const double stray = glm::dot(normal, point.at - fit.centre);
-        if (std::abs(stray) > kMostStray) return false;
-        const double bent = along * along - meanSquare;
+        const double bent = along * along - bend.mean;
         product += stray * bent;
-        square += bent * bent;
+        weight += bent * bent;
+        bend.stray = std::max(bend.stray, std::abs(stray));
     }
-    return square == 0 || std::abs(product / square) * reach * reach <= kMostBow;
+    if (weight > 0) bend.square = product / weight;
+    bend.bow = std::abs(bend.square) * reach * reach;
+    return bend;
+}
+
+/// Is nothing but texel noise between the points and the line?
+bool isStraight(std::span<const CentrePoint> points, const StraightFit& fit) {
+    const Bend bend = bendOf(points, fit);
+    return bend.stray <= kMostStray && bend.bow <= kMostBow;
+}
+
+/// Is it a parabola, well above texel noise?
+bool isCurve(std::span<const CentrePoint> points, const StraightFit& fit) {
+    const Bend bend = bendOf(points, fit);
+    if (bend.bow < kLeastCurve) return false;
+    const glm::dvec2 normal(-fit.direction.y, fit.direction.x);
+    return std::all_of(points.begin(), points.end(), [&](const CentrePoint& point) {
+        const double along = glm::dot(fit.direction, point.at - fit.centre);
+        const double aside = bend.square * (along * along - bend.mean);
+        return std::abs(glm::dot(normal, point.at - fit.centre) - aside) <= kMostBow;
+    });
+}
+
+/// The tangent of the points' parabola `reach` texels before the first of them.
+StraightFit tangentBefore(std::span<const CentrePoint> points, const StraightFit& fit,
+                          double reach) {
+    const Bend bend = bendOf(points, fit);
+    const glm::dvec2 normal(-fit.direction.y, fit.direction.x);
+    const double along = glm::dot(fit.direction, points.front().at - fit.centre) - reach;
+    const double aside = bend.square * (along * along - bend.mean);
+    return {fit.centre + along * fit.direction + aside * normal,
+            glm::normalize(fit.direction + 2 * bend.square * along * normal)};
 }
 
 std::optional<StraightFit> fitStart(std::span<const CentrePoint> points, size_t least) {
@@ -79,15 +117,22 @@ double distanceTo(const StraightFit& fit, glm::dvec2 point) {
     return std::abs(glm::dot(normal, point - fit.centre));
 }
 
-std::optional<ArmFit> fitArm(std::span<const CentrePoint> points, size_t least) {
+std::optional<ArmFit> fitArm(std::span<const CentrePoint> points, size_t least, double reach) {
     const std::optional<StraightFit> first = fitStart(points, least);
     if (!first) return std::nullopt;
     ArmFit arm{*first, 0};
     while (arm.leaning + 3 < std::min(points.size(), least) &&
            distanceTo(*first, points[arm.leaning].at) > kLeaning)
         ++arm.leaning;
-    if (arm.leaning == 0) return arm;
-    if (const auto again = fitStart(points.subspan(arm.leaning), least)) arm.fit = *again;
+    const std::span<const CentrePoint> rest = points.subspan(arm.leaning);
+    const std::optional<StraightFit> again = fitStart(rest, least);
+    if (!again) return arm;
+    arm.fit = *again;
+    if (reach == 0) return arm;
+    const std::span<const CentrePoint> stretch = rest.first(std::min(2 * least, rest.size()));
+    const std::optional<StraightFit> chord = fitStraight(stretch);
+    if (chord && stretch.size() == 2 * least && isCurve(stretch, *chord))
+        arm.fit = tangentBefore(stretch, *chord, reach + static_cast<double>(arm.leaning));
     return arm;
 }
 

@@ -27,8 +27,10 @@ struct ArmFit {
     size_t leaning = 0;  ///< first points that are not on it yet
 };
 /// Through as many of the first points as are straight, but at least `least`: the longer, the
-/// better the direction is known through the steps of texels.
-std::optional<ArmFit> fitArm(std::span<const CentrePoint> points, size_t least);
+/// better the direction is known through the steps of texels. Where they are a smooth curve
+/// instead, the tangent of their parabola at the place, `reach` texels before the first
+/// (given 0, curves are not asked for).
+std::optional<ArmFit> fitArm(std::span<const CentrePoint> points, size_t least, double reach = 0);
 
 /// The point nearest to all lines (least squares of its distances), held at `prior` where they
 /// leave it open.
