@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <random>
+#include <vector>
 
 namespace sherd::test {
 
@@ -15,6 +17,16 @@ inline int propertyCases(int cases) {
     return percent == nullptr ? cases : std::max(1, cases * std::atoi(percent) / 100);
 }
 
+/// The seeds of a property test from `first` on, as many as `propertyCases(cases)`; with SHERD_SEED
+/// set that one alone, so that a failing case can be run by itself.
+inline std::vector<uint32_t> propertySeeds(uint32_t first, int cases) {
+    if (const char* seed = std::getenv("SHERD_SEED"))
+        return {static_cast<uint32_t>(std::strtoul(seed, nullptr, 10))};
+    std::vector<uint32_t> seeds(static_cast<size_t>(propertyCases(cases)));
+    std::iota(seeds.begin(), seeds.end(), first);
+    return seeds;
+}
+
 /// Uniform numbers from std::mt19937 alone: the standard's distributions differ between libraries.
 class Random {
   public:
@@ -22,6 +34,7 @@ class Random {
     uint32_t below(uint32_t n) { return n == 0 ? 0 : engine_() % n; }
     double unit() { return engine_() / 4294967296.0; }
     double in(double low, double high) { return low + (high - low) * unit(); }
+    bool oneIn(uint32_t n) { return below(n) == 0; }
 
   private:
     std::mt19937 engine_;

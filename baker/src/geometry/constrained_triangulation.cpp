@@ -2,8 +2,10 @@
 #include "geometry/constrained_triangulation.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <deque>
+#include <glm/common.hpp>
 #include <numeric>
 
 namespace sherd {
@@ -30,8 +32,10 @@ class Triangulator {
         for (const uint32_t p : insertionOrder()) insert(p);
         TriangulationResult result;
         result.valid = true;
-        for (const auto& c : in_.constraints)
+        for (const uint32_t i : recoveryOrder()) {
+            const TriangulationInput::Constraint& c = in_.constraints[i];
             result.valid = result.valid && recover(c.a, c.b, c.mark);
+        }
         result.triangles.reserve(triangles_.size());
         for (const Triangle& t : triangles_) result.triangles.push_back({t.v, t.mark});
         return result;
@@ -51,32 +55,75 @@ class Triangulator {
         return orientation(in_.points[a], in_.points[b], in_.points[c], extent_);
     }
 
-    /// Row by row there and back: neighbours in the order are neighbours in the plane, which keeps
-    /// the search for each next point short.
+    /// Few points in the order they come; many in rounds that double in number, each along a
+    /// Hilbert curve (Amenta, Choi and Rote 2003, Incremental constructions con BRIO): neighbours
+    /// in the order are neighbours in the plane, and every round meets a triangulation that is
+    /// already even, so that finding a point and flipping after it take a few steps whatever the
+    /// points. (Row by row without rounds took 4.4 s for 20,000 points, this 0.1 s.)
     std::vector<uint32_t> insertionOrder() const {
         std::vector<uint32_t> order(in_.points.size() - 3);
         std::iota(order.begin(), order.end(), 3U);
         if (order.size() < 16) return order;
-        double low = in_.points[0].ay;
-        double high = low;
+        glm::dvec2 low(in_.points[0].ax, in_.points[0].ay);
+        glm::dvec2 high = low;
         for (const ExactPoint& p : in_.points) {
-            low = std::min(low, p.ay);
-            high = std::max(high, p.ay);
+            low = glm::min(low, glm::dvec2(p.ax, p.ay));
+            high = glm::max(high, glm::dvec2(p.ax, p.ay));
         }
-        const double rows = std::sqrt(static_cast<double>(order.size()) / 2);
-        const auto row = [&](uint32_t i) {
-            return static_cast<int64_t>((in_.points[i].ay - low) / (high - low + 1e-300) * rows);
-        };
+        const glm::dvec2 scale = 65535.0 / glm::max(high - low, glm::dvec2(1e-300));
+        std::vector<uint64_t> key(in_.points.size());
+        for (const uint32_t i : order) {
+            const glm::dvec2 p = (glm::dvec2(in_.points[i].ax, in_.points[i].ay) - low) * scale;
+            const uint64_t place =
+                alongHilbertCurve(static_cast<uint32_t>(p.x), static_cast<uint32_t>(p.y));
+            key[i] = uint64_t{roundOf(i)} << 32 | place;
+        }
         std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-            const int64_t ra = row(a);
-            const int64_t rb = row(b);
-            if (ra != rb) return ra < rb;
-            const double xa = in_.points[a].ax;
-            const double xb = in_.points[b].ax;
-            if (xa != xb) return (ra % 2 == 0) == (xa < xb);
-            return a < b;
+            return key[a] != key[b] ? key[a] < key[b] : a < b;
         });
         return order;
+    }
+
+    /// Many constraints shuffled: each then crosses what lies between its neighbours among those
+    /// already there only, n log n in all for parallel lines where one by one takes n^2.
+    std::vector<uint32_t> recoveryOrder() const {
+        std::vector<uint32_t> order(in_.constraints.size());
+        std::iota(order.begin(), order.end(), 0U);
+        if (order.size() < 16) return order;
+        std::sort(order.begin(), order.end(), [](uint32_t a, uint32_t b) {
+            return std::pair(scrambled(a), a) < std::pair(scrambled(b), b);
+        });
+        return order;
+    }
+
+    static uint32_t scrambled(uint32_t i) {
+        uint32_t h = i * 0x9E3779B9U;  // Fibonacci hashing, then mixed downwards
+        h ^= h >> 15;
+        h *= 0x85EBCA6BU;
+        return h ^ h >> 13;
+    }
+
+    /// Half of all points fall in the last round (32), half of the others in the one before, ...
+    static uint32_t roundOf(uint32_t i) {
+        return 32 - static_cast<uint32_t>(std::countr_zero(scrambled(i) | 0x80000000U));
+    }
+
+    /// The place of a cell of a 2^16 x 2^16 grid along Hilbert's curve.
+    static uint32_t alongHilbertCurve(uint32_t x, uint32_t y) {
+        uint32_t place = 0;
+        for (uint32_t s = 1U << 15; s > 0; s >>= 1) {
+            const uint32_t right = (x & s) != 0 ? 1 : 0;
+            const uint32_t up = (y & s) != 0 ? 1 : 0;
+            place += s * s * ((3 * right) ^ up);
+            if (up == 0) {
+                if (right == 1) {
+                    x = 65535 - x;
+                    y = 65535 - y;
+                }
+                std::swap(x, y);
+            }
+        }
+        return place;
     }
 
     /// The triangle that holds the point, border included, by walking towards it.
@@ -144,7 +191,8 @@ class Triangulator {
         link(t1, 0);
         link(t2, 0);
         last_ = t;
-        legalize({{t, 0}, {t1, 0}, {t2, 0}});
+        suspects_.assign({{t, 0}, {t1, 0}, {t2, 0}});
+        legalize();
     }
 
     void splitEdge(Edge e, uint32_t p) {
@@ -162,7 +210,7 @@ class Triangulator {
         setTriangle(e.t, {a, p, c}, {n1, t1, ca}, {mark, 0, old.mark[cyclic(e.k + 2)]});
         setTriangle(t1, {p, b, c}, {n, bc, e.t}, {mark, old.mark[cyclic(e.k + 1)], 0});
         link(t1, 1);
-        std::vector<Edge> suspects{{e.t, 2}, {t1, 1}};
+        suspects_.assign({{e.t, 2}, {t1, 1}});
         if (n != kNobody) {
             const Triangle other = triangles_[n];
             uint32_t j = 0;
@@ -173,11 +221,11 @@ class Triangulator {
             setTriangle(n, {b, p, d}, {t1, n1, db}, {mark, 0, other.mark[cyclic(j + 2)]});
             setTriangle(n1, {p, a, d}, {e.t, ad, n}, {mark, other.mark[cyclic(j + 1)], 0});
             link(n1, 1);
-            suspects.push_back({n, 2});
-            suspects.push_back({n1, 1});
+            suspects_.push_back({n, 2});
+            suspects_.push_back({n1, 1});
         }
         last_ = e.t;
-        legalize(std::move(suspects));
+        legalize();
     }
 
     /// Whether the diagonal of the two triangles at an edge can be exchanged at all.
@@ -219,21 +267,33 @@ class Triangulator {
     }
 
     /// The angles opposite the edge a b add up to more than a half turn: the other diagonal is
-    /// better.
+    /// better. By the sine of the sum: below 0 between a half turn and a whole one.
     bool worthFlipping(Edge e) const {
         const auto [a, b, c, d] = quad(e);
-        const auto angle = [this](uint32_t at, uint32_t from, uint32_t to) {
-            const glm::dvec2 u = in_.shape[from] - in_.shape[at];
-            const glm::dvec2 v = in_.shape[to] - in_.shape[at];
-            return std::atan2(std::abs(u.x * v.y - u.y * v.x), u.x * v.x + u.y * v.y);
-        };
-        return angle(c, a, b) + angle(d, b, a) > M_PI + 1e-9;
+        const Angle atC = angle(c, a, b);
+        const Angle atD = angle(d, b, a);
+        if (atC.cosine >= 0 && atD.cosine >= 0) return false;
+        const double sine = atC.sine * atD.cosine + atC.cosine * atD.sine;
+        const double cosine = atC.cosine * atD.cosine - atC.sine * atD.sine;
+        // Equal angles within 1e-9 are left alone, or rounding would flip for ever.
+        if (std::abs(sine) > 1e-9 * std::abs(cosine)) return sine < 0;
+        return cosine > 0;  // two flat triangles: a whole turn
     }
 
-    void legalize(std::vector<Edge> suspects) {
-        while (!suspects.empty()) {
-            const Edge e = suspects.back();
-            suspects.pop_back();
+    struct Angle {  ///< both times the lengths of the two sides
+        double sine, cosine;
+    };
+    Angle angle(uint32_t at, uint32_t from, uint32_t to) const {
+        const glm::dvec2 u = in_.shape[from] - in_.shape[at];
+        const glm::dvec2 v = in_.shape[to] - in_.shape[at];
+        return {std::abs(u.x * v.y - u.y * v.x), u.x * v.x + u.y * v.y};
+    }
+
+    /// Flips edges until those of `suspects_` and all that flips make suspect are worth keeping.
+    void legalize() {
+        while (!suspects_.empty()) {
+            const Edge e = suspects_.back();
+            suspects_.pop_back();
             if (flipsLeft_ == 0 || triangles_[e.t].neighbor[e.k] == kNobody || !worthFlipping(e) ||
                 !flippable(e)) {
                 continue;
@@ -241,7 +301,7 @@ class Triangulator {
             --flipsLeft_;
             const uint32_t n = triangles_[e.t].neighbor[e.k];
             flip(e);
-            suspects.insert(suspects.end(), {{e.t, 0}, {e.t, 1}, {n, 0}, {n, 1}});
+            suspects_.insert(suspects_.end(), {{e.t, 0}, {e.t, 1}, {n, 0}, {n, 1}});
         }
     }
 
@@ -382,6 +442,7 @@ class Triangulator {
     double extent_ = 0;
     std::vector<Triangle> triangles_;
     std::vector<uint32_t> triangleOf_;
+    std::vector<Edge> suspects_;
     uint32_t last_ = 0;
     size_t flipsLeft_ = 0;
 };

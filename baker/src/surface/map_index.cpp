@@ -47,18 +47,39 @@ MapIndex::MapIndex(const PlanarMap& map) {
     rows_ = static_cast<uint32_t>((int64_t{high.v} - low.v) / cell_ + 1);
 
     start_.assign(size_t{columns_} * rows_ + 1, 0);
-    const auto forEachCell = [this](const Box& box, auto&& visit) {
-        for (uint32_t r = row(box.low.v); r <= row(box.high.v); ++r) {
-            for (uint32_t c = column(box.low.u); c <= column(box.high.u); ++c)
-                visit(r * columns_ + c);
-        }
-    };
-    for (const Box& box : boxes_) forEachCell(box, [this](uint32_t cell) { ++start_[cell + 1]; });
+    for (uint32_t e = 0; e < boxes_.size(); ++e)
+        forEachCell(map, e, [this](uint32_t cell) { ++start_[cell + 1]; });
     for (size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
     edges_.resize(start_.back());
     std::vector<uint32_t> next(start_.begin(), start_.end() - 1);
-    for (uint32_t e = 0; e < boxes_.size(); ++e) {
-        forEachCell(boxes_[e], [&](uint32_t cell) { edges_[next[cell]++] = e; });
+    for (uint32_t e = 0; e < boxes_.size(); ++e)
+        forEachCell(map, e, [&](uint32_t cell) { edges_[next[cell]++] = e; });
+    found_.assign(boxes_.size(), 0);
+}
+
+/// The cells an edge passes through, row by row, and perhaps some beside them. Cells of its whole
+/// box would be the square of that for a long slanting edge.
+template <class Visit>
+void MapIndex::forEachCell(const PlanarMap& map, uint32_t edge, Visit&& visit) const {
+    const Box& box = boxes_[edge];
+    const uint32_t firstRow = row(box.low.v), lastRow = row(box.high.v);
+    const glm::dvec2 a = nodeUv(map, map.edges[edge].from) * double{kGridOne};
+    const glm::dvec2 b = nodeUv(map, map.edges[edge].to) * double{kGridOne};
+    for (uint32_t r = firstRow; r <= lastRow; ++r) {
+        int64_t from = box.low.u;
+        int64_t to = box.high.u;
+        if (firstRow != lastRow && a.y != b.y) {
+            // Where it enters and leaves the row. A unit more above and below, and two aside, is
+            // wider than the nodes' rounding can be off.
+            const double slope = (b.x - a.x) / (b.y - a.y);
+            const double bottom = static_cast<double>(origin_.v + cell_ * r) - 1;
+            const double top = bottom + static_cast<double>(cell_) + 2;
+            const auto [low, high] =
+                std::minmax({a.x + (bottom - a.y) * slope, a.x + (top - a.y) * slope});
+            from = std::max(from, static_cast<int64_t>(std::floor(std::max(low, -1e10))) - 2);
+            to = std::min(to, static_cast<int64_t>(std::ceil(std::min(high, 1e10))) + 2);
+        }
+        for (uint32_t c = column(from); c <= column(to); ++c) visit(r * columns_ + c);
     }
 }
 
@@ -69,23 +90,25 @@ uint32_t MapIndex::row(int64_t v) const {
     return static_cast<uint32_t>(std::clamp<int64_t>((v - origin_.v) / cell_, 0, rows_ - 1));
 }
 
-void MapIndex::query(GridPoint low, GridPoint high, std::vector<uint32_t>& result) const {
+void MapIndex::query(GridPoint low, GridPoint high, std::vector<uint32_t>& result) {
     result.clear();
     if (boxes_.empty()) return;
+    ++query_;
     for (uint32_t r = row(low.v); r <= row(high.v); ++r) {
         for (uint32_t c = column(low.u); c <= column(high.u); ++c) {
             for (uint32_t i = start_[r * columns_ + c]; i < start_[r * columns_ + c + 1]; ++i) {
                 const Box& box = boxes_[edges_[i]];
+                if (found_[edges_[i]] == query_) continue;
                 if (box.high.u < low.u || box.low.u > high.u || box.high.v < low.v ||
                     box.low.v > high.v) {
                     continue;
                 }
+                found_[edges_[i]] = query_;
                 result.push_back(edges_[i]);
             }
         }
     }
     std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
 }
 
 }  // namespace sherd

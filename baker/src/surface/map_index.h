@@ -13,13 +13,15 @@ class MapIndex {
   public:
     explicit MapIndex(const PlanarMap& map);
 
-    /// Indices of map edges whose bounding box meets [low, high], ascending, each once.
-    void query(GridPoint low, GridPoint high, std::vector<uint32_t>& result) const;
+    /// Indices of map edges that may meet [low, high], ascending, each once.
+    void query(GridPoint low, GridPoint high, std::vector<uint32_t>& result);
 
   private:
     struct Box {
         GridPoint low, high;
     };
+    template <class Visit>
+    void forEachCell(const PlanarMap& map, uint32_t edge, Visit&& visit) const;
     uint32_t column(int64_t u) const;
     uint32_t row(int64_t v) const;
 
@@ -29,6 +31,8 @@ class MapIndex {
     uint32_t columns_ = 1, rows_ = 1;
     std::vector<uint32_t> start_;  ///< per cell, into edges_
     std::vector<uint32_t> edges_;
+    std::vector<uint32_t> found_;  ///< per edge: the last query it was found in
+    uint32_t query_ = 0;
 };
 
 }  // namespace sherd

@@ -189,7 +189,7 @@ void matchInTriangle(const PlanarMap& map, std::span<const uint32_t> candidates,
 
 std::vector<Cut> matchAll(const PlanarMap& map, std::span<const uint32_t> marks,
                           std::span<const UvTriangle> triangles, std::span<const uint8_t> skip) {
-    const MapIndex mapIndex(map);
+    MapIndex mapIndex(map);
     std::vector<Cut> cuts;
     std::vector<uint32_t> candidates;
     for (uint32_t t = 0; t < triangles.size(); ++t) {

@@ -48,9 +48,7 @@ SurfaceMesh randomMesh(Random& random, uint32_t& grid) {
 }  // namespace
 
 TEST_CASE("random maps on random meshes: area is kept, closed stays closed, pieces close") {
-    const int cases = propertyCases(1500);
-    for (int i = 0; i < cases; ++i) {
-        const auto seed = static_cast<uint32_t>(1000 + i);
+    for (const uint32_t seed : propertySeeds(1000, 1500)) {
         CAPTURE(seed);
         Random random(seed);
         uint32_t grid = 0;
