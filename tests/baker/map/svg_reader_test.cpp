@@ -387,7 +387,7 @@ TEST_CASE("hostile sizes give errors, not memory") {
 }
 
 TEST_CASE("options out of range are refused") {
-    for (const MapReadOptions options :
+    for (const MapReadOptions& options :
          {MapReadOptions{0, 1e-4}, MapReadOptions{65, 1e-4}, MapReadOptions{1, 0},
           MapReadOptions{1, -1}, MapReadOptions{1, std::nan("")}}) {
         const auto map = readSvgMap(drawing("<path d='M0 0L1 1'/>"), "t.svg", options);
