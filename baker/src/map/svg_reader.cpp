@@ -2,7 +2,6 @@
 // SVG to fracture lines. Drawn shapes become lines; what is hidden, what is no line (text, images)
 // and the layout's guide layer are passed over. The root viewBox spans UV [0, 1]^2.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -10,7 +9,9 @@
 
 #include "map/map_limits.h"
 #include "map/svg_css.h"
+#include "map/svg_names.h"
 #include "map/svg_shapes.h"
+#include "map/svg_viewport.h"
 #include "sherd/baker/fracture_map.h"
 
 namespace sherd {
@@ -20,57 +21,9 @@ namespace {
 constexpr size_t kMaxDepth = 256;           ///< nested groups and uses
 constexpr size_t kMaxElements = 2'000'000;  ///< visited; a `use` visits its target again
 
-/// "level 2", "Level_2", "level-2", "level2": the number, if it is from 1 to kMaxLevel.
-std::optional<uint32_t> levelOfName(std::string_view name) {
-    constexpr std::string_view kWord = "level";
-    if (name.size() <= kWord.size()) return std::nullopt;
-    for (size_t i = 0; i < kWord.size(); ++i)
-        if (std::tolower(static_cast<unsigned char>(name[i])) != kWord[i]) return std::nullopt;
-    size_t i = kWord.size();
-    while (i < name.size() && (name[i] == ' ' || name[i] == '_' || name[i] == '-')) ++i;
-    if (i == name.size() || name.size() - i > 3) return std::nullopt;
-    uint32_t level = 0;
-    for (; i < name.size(); ++i) {
-        if (name[i] < '0' || name[i] > '9') return std::nullopt;
-        level = 10 * level + static_cast<uint32_t>(name[i] - '0');
-    }
-    return level >= 1 && level <= kMaxMapLevel ? std::optional(level) : std::nullopt;
-}
-
-bool startsWith(std::string_view text, std::string_view start) {
-    return text.substr(0, start.size()) == start;
-}
-
-/// An attribute by its local name, whatever the prefix: href and xlink:href, inkscape:label.
-std::string_view attributeOf(const pugi::xml_node& node, std::string_view local) {
-    for (const pugi::xml_attribute& attribute : node.attributes())
-        if (localName(attribute.name()) == local) return attribute.value();
-    return {};
-}
-
-/// Belongs to the layer that `sherd-bake layout` draws for orientation.
-bool isGuide(const pugi::xml_node& node) {
-    return startsWith(node.name(), "sherd:") || node.attribute("data-sherd-guide") ||
-           startsWith(node.attribute("id").value(), "sherd-guide") ||
-           startsWith(attributeOf(node, "label"), "sherd guide");
-}
-
-/// Elements that never draw lines themselves; worth a word when they are there.
-bool isReported(std::string_view name) {
-    constexpr std::string_view kNames[] = {
-        "text",   "image",   "defs",   "clipPath",      "mask",           "symbol",
-        "marker", "pattern", "filter", "foreignObject", "linearGradient", "radialGradient"};
-    return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
-}
-
-bool isGroup(std::string_view name) {
-    return name == "g" || name == "a" || name == "switch";
-}
-
 /// What a node inherits.
 struct Context {
-    Affine transform;  ///< to UV
-    SvgViewport viewport;
+    SvgFrame frame;
     uint32_t level = 1;
     bool visible = true;
     size_t depth = 0;
@@ -115,21 +68,14 @@ class SvgReader {
     }
 
     Result<Context> rootContext() const {
-        std::optional<SvgViewBox> box = parseSvgViewBox(root_.attribute("viewBox").value());
-        if (!box) {
-            const double width = svgLength(root_, "width", 0, 0);
-            const double height = svgLength(root_, "height", 0, 0);
-            if (!(width > 0) || !(height > 0))
-                return fail(ErrorCode::invalidData,
-                            "the drawing says neither its viewBox nor its width and height; add "
-                            "viewBox=\"0 0 1 1\" (or the size of the texture) to <svg>",
-                            name_);
-            box = SvgViewBox{0, 0, width, height};
-        }
+        const std::optional<SvgFrame> frame = rootSvgFrame(root_);
+        if (!frame)
+            return fail(ErrorCode::invalidData,
+                        "the drawing says neither its viewBox nor its width and height; add "
+                        "viewBox=\"0 0 1 1\" (or the size of the texture) to <svg>",
+                        name_);
         Context context;
-        context.transform = {1 / box->width,       0, 0, 1 / box->height, -box->x / box->width,
-                             -box->y / box->height};
-        context.viewport = {box->width, box->height};
+        context.frame = *frame;
         context.level = options_.level;
         return context;
     }
@@ -148,13 +94,12 @@ class SvgReader {
     /// Draws a node and what is inside; false when reading must stop.
     bool visit(const pugi::xml_node& node, const Context& parent) {
         if (node.type() != pugi::node_element) return true;
-        const std::string_view full = node.name();
-        const std::string_view name = localName(full);
-        if (isGuide(node)) {
+        const std::string_view name = localName(node.name());
+        if (isSvgGuide(node)) {
             countStrays(node);
             return true;
         }
-        if (full != name && !startsWith(full, "svg:")) return true;  // the editor's own notes
+        if (isForeignSvgElement(node.name())) return true;
         if (++elements_ > kMaxElements)
             return stop(ErrorCode::limitExceeded,
                         "the drawing holds more than " + std::to_string(kMaxElements) +
@@ -163,18 +108,18 @@ class SvgReader {
         if (parent.depth >= kMaxDepth)
             return stop(ErrorCode::limitExceeded,
                         "groups are nested deeper than " + std::to_string(kMaxDepth), node);
-        if (isReported(name)) {
+        if (isReportedSvgElement(name)) {
             if (name != "defs" || node.first_child()) ++ignored_[std::string(name)];
             return true;
         }
         const bool shape = isSvgShape(name);
-        if (!shape && !isGroup(name) && name != "svg" && name != "use") return true;
+        if (!shape && !isSvgGroup(name) && name != "svg" && name != "use") return true;
         Context context = parent;
         ++context.depth;
         if (!enter(node, context)) return true;
         if (shape) return draw(node, context);
         if (name == "use") return visitUse(node, context);
-        if (name == "svg") enterViewport(node, context.viewport, true, context);
+        if (name == "svg") enterSvgViewport(node, context.frame.viewport, true, context.frame);
         return visitChildren(node, context);
     }
 
@@ -182,7 +127,7 @@ class SvgReader {
     void countStrays(const pugi::xml_node& guide) {
         struct Walker : pugi::xml_tree_walker {
             bool for_each(pugi::xml_node& node) override {
-                if (isSvgShape(localName(node.name())) && !isGuide(node)) ++strays;
+                if (isSvgShape(localName(node.name())) && !isSvgGuide(node)) ++strays;
                 return true;
             }
             size_t strays = 0;
@@ -209,9 +154,7 @@ class SvgReader {
         if (visibility == "hidden" || visibility == "collapse") context.visible = false;
         if (visibility == "visible") context.visible = true;
 
-        std::optional<uint32_t> level = levelOfName(attributeOf(node, "label"));
-        if (!level) level = levelOfName(node.attribute("id").value());
-        if (level) context.level = *level;
+        if (const std::optional<uint32_t> level = namedLevel(node)) context.level = *level;
 
         std::string transform = styles_.property(node, "transform");
         if (node.attribute("transform")) transform = node.attribute("transform").value();
@@ -220,30 +163,12 @@ class SvgReader {
             warnings_.push_back(sourceOf(node) + " is left out: its transform cannot be read");
             return false;
         }
-        context.transform = context.transform * *local;
+        context.frame.transform = context.frame.transform * *local;
         return true;
     }
 
-    /// A nested svg, or a symbol in use: its own viewport. `placed`: x and y count.
-    static void enterViewport(const pugi::xml_node& node, SvgViewport size, bool placed,
-                              Context& context) {
-        const SvgViewport outer = context.viewport;
-        const double x = placed ? svgLength(node, "x", outer.width, 0) : 0;
-        const double y = placed ? svgLength(node, "y", outer.height, 0) : 0;
-        const double width = svgLength(node, "width", outer.width, size.width);
-        const double height = svgLength(node, "height", outer.height, size.height);
-        context.transform = context.transform * Affine{1, 0, 0, 1, x, y};
-        context.viewport = {width, height};
-        if (const auto box = parseSvgViewBox(node.attribute("viewBox").value())) {
-            context.transform =
-                context.transform *
-                fitSvgViewBox(*box, width, height, node.attribute("preserveAspectRatio").value());
-            context.viewport = {box->width, box->height};
-        }
-    }
-
     bool visitUse(const pugi::xml_node& node, Context& context) {
-        const std::string_view href = attributeOf(node, "href");
+        const std::string_view href = svgAttribute(node, "href");
         const auto target = href.empty() || href.front() != '#'
                                 ? ids_.end()
                                 : ids_.find(std::string(href.substr(1)));
@@ -256,9 +181,9 @@ class SvgReader {
             warnings_.push_back(sourceOf(node) + " is left out: it refers to itself");
             return true;
         }
-        const double x = svgLength(node, "x", context.viewport.width, 0);
-        const double y = svgLength(node, "y", context.viewport.height, 0);
-        context.transform = context.transform * Affine{1, 0, 0, 1, x, y};
+        const double x = svgLength(node, "x", context.frame.viewport.width, 0);
+        const double y = svgLength(node, "y", context.frame.viewport.height, 0);
+        context.frame.transform = context.frame.transform * Affine{1, 0, 0, 1, x, y};
         inUse_.push_back(used);
         const bool whole = visitUsed(used, node, context);
         inUse_.pop_back();
@@ -266,13 +191,13 @@ class SvgReader {
     }
 
     bool visitUsed(const pugi::xml_node& used, const pugi::xml_node& use, Context& context) {
-        if (localName(used.name()) != "symbol" || isGuide(used)) return visit(used, context);
+        if (localName(used.name()) != "symbol" || isSvgGuide(used)) return visit(used, context);
         if (!enter(used, context)) return true;
-        const SvgViewport outer = context.viewport;
-        enterViewport(used,
-                      {svgLength(use, "width", outer.width, outer.width),
-                       svgLength(use, "height", outer.height, outer.height)},
-                      false, context);
+        const SvgViewport outer = context.frame.viewport;
+        enterSvgViewport(used,
+                         {svgLength(use, "width", outer.width, outer.width),
+                          svgLength(use, "height", outer.height, outer.height)},
+                         false, context.frame);
         return visitChildren(used, context);
     }
 
@@ -281,13 +206,13 @@ class SvgReader {
             ++hidden_;
             return true;
         }
-        const SvgPath path = svgShape(node, context.viewport);
+        const SvgPath path = svgShape(node, context.frame.viewport);
         if (!path.problem.empty())
             warnings_.push_back(sourceOf(node) + ": " + path.problem +
                                 "; what comes before it is kept");
         for (const Outline& outline : path.outlines) {
-            std::optional<std::vector<glm::dvec2>> points =
-                flatten(outline, context.transform, options_.tolerance, kMaxMapPoints - points_);
+            std::optional<std::vector<glm::dvec2>> points = flatten(
+                outline, context.frame.transform, options_.tolerance, kMaxMapPoints - points_);
             if (!points)
                 return stop(ErrorCode::limitExceeded,
                             "the drawing needs more than " + std::to_string(kMaxMapPoints) +
