@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "map/map_limits.h"
+#include "map/svg_color.h"
 
 namespace sherd {
 
@@ -51,6 +52,10 @@ Result<void> checkMapInput(std::string_view text, const std::string& name,
     if (!(options.tolerance >= 1e-8) || !(options.tolerance <= 1))
         return fail(ErrorCode::badArgument,
                     "the flattening tolerance must be from 1e-8 to 1 UV units", name);
+    ColorLevels colors;
+    for (const auto& [color, level] : options.levelOfColor)
+        if (const auto problem = colors.add(color, level))
+            return fail(ErrorCode::badArgument, "levels of colours: " + *problem, name);
     return {};
 }
 
