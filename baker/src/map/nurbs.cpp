@@ -15,6 +15,7 @@
 #include "map/nurbs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -28,6 +29,9 @@ constexpr double kLeastWeight = 1e-100;
 /// Halvings of the parameter before a curve counts as too large for its tolerance: enough for
 /// weights as different as kLeastWeight lets them be, at every degree.
 constexpr size_t kMaxDepth = 1200;
+/// A curve that gets as far as this is not flattened on: maps end at 8, and it would cost millions
+/// of points to say so later.
+constexpr double kFar = 1000;
 /// Left for the rounding of points and distances.
 constexpr double kToleranceShare = 0.999;
 
@@ -43,13 +47,20 @@ Weighted blend(const Weighted& a, const Weighted& b, double t) {
     return {(1 - share) * a.point + share * b.point, weight};
 }
 
-using Bezier = std::vector<Weighted>;
+/// In place, not on the heap: there may be millions of them.
+struct Bezier {
+    std::array<Weighted, kMaxNurbsDegree + 1> points;
+    size_t count = 0;
+
+    const Weighted& front() const { return points[0]; }
+    const Weighted& back() const { return points[count - 1]; }
+};
 
 /// The curve's control points and knots as those of an open one: closed curves repeat the first
 /// `degree` points, and their knots go on periodically at both ends.
 struct OpenCurve {
     size_t degree;
-    Bezier points;
+    std::vector<Weighted> points;
     std::vector<double> knots;
 };
 
@@ -92,8 +103,8 @@ Bezier bezierOf(const OpenCurve& curve, size_t span) {
     Bezier bezier;
     for (size_t k = 0; k <= p; ++k) {
         // The blossom at `low` p - k times and `high` k times, by de Boor's recurrence.
-        Bezier d(curve.points.begin() + static_cast<ptrdiff_t>(span - p),
-                 curve.points.begin() + static_cast<ptrdiff_t>(span + 1));
+        std::array<Weighted, kMaxNurbsDegree + 1> d;
+        std::copy_n(&curve.points[span - p], p + 1, d.begin());
         for (size_t r = 1; r <= p; ++r) {
             const double at = r <= p - k ? low : high;
             for (size_t j = p; j >= r; --j) {
@@ -102,7 +113,7 @@ Bezier bezierOf(const OpenCurve& curve, size_t span) {
                 d[j] = blend(d[j - 1], d[j], (at - left) / (right - left));
             }
         }
-        bezier.push_back(d[p]);
+        bezier.points[bezier.count++] = d[p];
     }
     return bezier;
 }
@@ -115,42 +126,47 @@ double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
 }
 
 bool isFlat(const Bezier& bezier, double tolerance) {
-    return std::all_of(bezier.begin(), bezier.end(), [&](const Weighted& each) {
-        return distanceToSegment(each.point, bezier.front().point, bezier.back().point) <=
-               tolerance;
-    });
+    for (size_t i = 1; i + 1 < bezier.count; ++i)
+        if (!(distanceToSegment(bezier.points[i].point, bezier.front().point,
+                                bezier.back().point) <= tolerance))
+            return false;
+    return true;
 }
 
 /// Halves at the middle of the parameter: `bezier` becomes the second half, the first is returned.
 Bezier halve(Bezier& bezier) {
     Bezier first;
-    for (size_t left = bezier.size(); left > 0; --left) {
-        first.push_back(bezier.front());
-        for (size_t i = 0; i + 1 < left; ++i) bezier[i] = blend(bezier[i], bezier[i + 1], 0.5);
+    for (size_t left = bezier.count; left > 0; --left) {
+        first.points[first.count++] = bezier.front();
+        for (size_t i = 0; i + 1 < left; ++i)
+            bezier.points[i] = blend(bezier.points[i], bezier.points[i + 1], 0.5);
     }
     return first;
 }
 
 /// Appends the points after the first.
-bool flattenBezier(Bezier bezier, double tolerance, size_t limit, std::vector<glm::dvec2>& out) {
+bool flattenBezier(const Bezier& bezier, double tolerance, size_t limit,
+                   std::vector<glm::dvec2>& out) {
     struct Piece {
         Bezier bezier;
         size_t depth;
     };
-    std::vector<Piece> open{{std::move(bezier), 0}};
+    std::vector<Piece> open{{bezier, 0}};
     while (!open.empty()) {
-        Piece piece = std::move(open.back());
+        Piece piece = open.back();
         open.pop_back();
         if (isFlat(piece.bezier, tolerance)) {
-            if (out.size() >= limit) return false;
+            const glm::dvec2 end = piece.bezier.back().point;
+            const bool near = std::abs(end.x) <= kFar && std::abs(end.y) <= kFar;
+            if (!near || out.size() >= limit) return false;
             // Where weights differ wildly, whole stretches of the parameter stay in one point.
             if (piece.bezier.back().point != out.back()) out.push_back(piece.bezier.back().point);
             continue;
         }
         if (piece.depth >= kMaxDepth) return false;
-        Bezier first = halve(piece.bezier);
-        open.push_back({std::move(piece.bezier), piece.depth + 1});
-        open.push_back({std::move(first), piece.depth + 1});
+        const Bezier first = halve(piece.bezier);
+        open.push_back({piece.bezier, piece.depth + 1});
+        open.push_back({first, piece.depth + 1});
     }
     return true;
 }
@@ -227,10 +243,9 @@ std::optional<std::vector<glm::dvec2>> flattenNurbs(const NurbsCurve& curve, dou
     std::vector<glm::dvec2> points;
     for (size_t span = p; span < open.points.size(); ++span) {
         if (!(open.knots[span] < open.knots[span + 1])) continue;
-        Bezier bezier = bezierOf(open, span);
+        const Bezier bezier = bezierOf(open, span);
         if (points.empty()) points.push_back(bezier.front().point);
-        if (!flattenBezier(std::move(bezier), tolerance * kToleranceShare, limit, points))
-            return std::nullopt;
+        if (!flattenBezier(bezier, tolerance * kToleranceShare, limit, points)) return std::nullopt;
     }
     if (points.size() == 1) points.push_back(points.front());
     if (curve.closed) points.back() = points.front();

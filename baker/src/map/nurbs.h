@@ -32,7 +32,8 @@ std::optional<NurbsProblem> checkNurbs(const NurbsCurve& curve);
 
 /// A line no further than `tolerance` from the curve, nor the curve from it. A clamped curve's ends
 /// are its first and last point exactly; a closed one's first point is repeated. Nothing if it
-/// would be more than `limit` points. The curve must have passed checkNurbs.
+/// would be more than `limit` points, or goes as far as -1000 or 1000. The curve must have passed
+/// checkNurbs.
 std::optional<std::vector<glm::dvec2>> flattenNurbs(const NurbsCurve& curve, double tolerance,
                                                     size_t limit);
 

@@ -9,8 +9,8 @@ namespace sherd {
 
 namespace {
 
-constexpr size_t kMaxRules = 100'000;         ///< that say something of a property read here
-constexpr size_t kMaxRuleWork = 100'000'000;  ///< rules compared with elements: some seconds
+constexpr size_t kMaxRules = 100'000;        ///< that say something of a property read here
+constexpr size_t kMaxRuleWork = 10'000'000;  ///< rules compared with elements: some seconds
 
 constexpr std::array<const char*, kSvgPropertyCount> kPropertyNames = {
     "display", "visibility", "opacity", "transform", "stroke", "color"};
@@ -37,21 +37,18 @@ size_t blockEnd(std::string_view css, size_t open) {
     return css.size();
 }
 
-/// Calls `visit` for each word of a class attribute.
-template <class Visit>
-void forEachClass(std::string_view list, const Visit& visit) {
+/// The words of a class attribute, sorted, each once.
+std::vector<std::string_view> classesOf(std::string_view list) {
+    std::vector<std::string_view> classes;
     while (!(list = trim(list)).empty()) {
         size_t end = 0;
         while (end < list.size() && !isSpaceChar(list[end])) ++end;
-        visit(list.substr(0, end));
+        classes.push_back(list.substr(0, end));
         list.remove_prefix(end);
     }
-}
-
-bool hasClass(std::string_view list, std::string_view name) {
-    bool found = false;
-    forEachClass(list, [&](std::string_view each) { found = found || each == name; });
-    return found;
+    std::sort(classes.begin(), classes.end());
+    classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
+    return classes;
 }
 
 }  // namespace
@@ -144,12 +141,19 @@ std::string SvgStyleSheet::keyOf(const Selector& selector) {
     return selector.type.empty() ? "*" : selector.type;
 }
 
-bool SvgStyleSheet::matches(const Selector& selector, const pugi::xml_node& node) {
-    if (!selector.type.empty() && selector.type != localName(node.name())) return false;
-    if (!selector.id.empty() && selector.id != node.attribute("id").value()) return false;
-    const std::string_view classes = node.attribute("class").value();
-    return std::all_of(selector.classes.begin(), selector.classes.end(),
-                       [&](const std::string& name) { return hasClass(classes, name); });
+/// What selectors ask of an element.
+struct SvgStyleSheet::Subject {
+    std::string_view type, id;
+    std::vector<std::string_view> classes;
+};
+
+bool SvgStyleSheet::matches(const Selector& selector, const Subject& subject) {
+    if (!selector.type.empty() && selector.type != subject.type) return false;
+    if (!selector.id.empty() && selector.id != subject.id) return false;
+    return std::all_of(
+        selector.classes.begin(), selector.classes.end(), [&](const std::string& name) {
+            return std::binary_search(subject.classes.begin(), subject.classes.end(), name);
+        });
 }
 
 /// The strongest value of each property so far; of equally strong ones the later rule's.
@@ -169,18 +173,17 @@ struct SvgStyleSheet::Cascade {
     }
 };
 
-void SvgStyleSheet::tryRules(const std::string& key, const pugi::xml_node& node,
+void SvgStyleSheet::tryRules(const std::string& key, const Subject& subject,
                              Cascade& cascade) const {
     const auto found = rulesOf_.find(key);
     if (found == rulesOf_.end()) return;
-    const size_t classBytes = std::string_view(node.attribute("class").value()).size();
     for (const size_t r : found->second) {
-        work_ += 1 + rules_[r].selector.classes.size() * (classBytes / 16);
+        work_ += 1 + rules_[r].selector.classes.size();
         if (work_ > kMaxRuleWork) {
             overflowed_ = true;
             return;
         }
-        if (!matches(rules_[r].selector, node)) continue;
+        if (!matches(rules_[r].selector, subject)) continue;
         for (const Declaration& declaration : rules_[r].declarations)
             cascade.offer(declaration, rules_[r].selector.specificity(), r);
     }
@@ -191,14 +194,14 @@ SvgStyle SvgStyleSheet::styleOf(const pugi::xml_node& node) const {
     for (size_t p = 0; p < kSvgPropertyCount; ++p)
         style[static_cast<SvgProperty>(p)] = trim(node.attribute(kPropertyNames[p]).value());
     if (!rules_.empty()) {
+        const Subject subject{localName(node.name()), node.attribute("id").value(),
+                              classesOf(node.attribute("class").value())};
         Cascade cascade;
-        tryRules("*", node, cascade);
-        tryRules(std::string(localName(node.name())), node, cascade);
-        if (const pugi::xml_attribute id = node.attribute("id"))
-            tryRules("#" + std::string(id.value()), node, cascade);
-        forEachClass(node.attribute("class").value(), [&](std::string_view name) {
-            tryRules("." + std::string(name), node, cascade);
-        });
+        tryRules("*", subject, cascade);
+        tryRules(std::string(subject.type), subject, cascade);
+        if (!subject.id.empty()) tryRules("#" + std::string(subject.id), subject, cascade);
+        for (const std::string_view name : subject.classes)
+            tryRules("." + std::string(name), subject, cascade);
         for (size_t p = 0; p < kSvgPropertyCount; ++p)
             if (cascade.winners[p].value != nullptr)
                 style[static_cast<SvgProperty>(p)] = *cascade.winners[p].value;

@@ -56,13 +56,14 @@ class SvgStyleSheet {
         std::vector<Declaration> declarations;
     };
     struct Cascade;
+    struct Subject;
 
     static std::vector<Declaration> parseDeclarations(std::string_view text);
     void addRule(std::string_view selectors, std::string_view declarations);
     static std::optional<Selector> parseSelector(std::string_view text);
     static std::string keyOf(const Selector& selector);
-    static bool matches(const Selector& selector, const pugi::xml_node& node);
-    void tryRules(const std::string& key, const pugi::xml_node& node, Cascade& cascade) const;
+    static bool matches(const Selector& selector, const Subject& subject);
+    void tryRules(const std::string& key, const Subject& subject, Cascade& cascade) const;
 
     std::vector<Rule> rules_;
     std::unordered_map<std::string, std::vector<size_t>> rulesOf_;  ///< by keyOf
