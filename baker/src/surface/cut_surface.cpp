@@ -12,6 +12,7 @@
 
 #include "geometry/triangle.h"
 #include "map/page_tiling.h"
+#include "pattern/density.h"
 #include "pattern/grow.h"
 #include "pattern/page_patterns.h"
 #include "surface/chords.h"
@@ -415,7 +416,7 @@ class SurfaceCutter {
                          [&](size_t a, size_t b) { return marks_[first + a] < marks_[first + b]; });
         for (const size_t i : order) {
             if (isUvGrid(plan_.patterns[i].pattern)) continue;
-            if (auto ok = growPattern(plan_.patterns[i].pattern, marks_[first + i]); !ok) return ok;
+            if (auto ok = growPattern(plan_.patterns[i], marks_[first + i]); !ok) return ok;
         }
         return {};
     }
@@ -424,7 +425,8 @@ class SurfaceCutter {
         return buildTopology(mesh_.positions, mesh_.triangles);
     }
 
-    Result<void> growPattern(const Pattern& pattern, uint32_t mark) {
+    Result<void> growPattern(const FracturePlan::Grown& grown, uint32_t mark) {
+        const Pattern& pattern = grown.pattern;
         const uint32_t level = result_.lines.level(mark);
         GrowthInput input{result_.surface, result_.topology, result_.groups, piecesBefore(level)};
         if (pattern.kind == Pattern::Kind::grid || pattern.kind == Pattern::Kind::radial)
@@ -432,7 +434,9 @@ class SurfaceCutter {
         if (pattern.kind == Pattern::Kind::wood)
             input.grain =
                 pattern.axis == glm::dvec3(0.0) ? longestAxis(result_.surface) : pattern.axis;
-        input.density = densityOf(pattern);
+        const Result<Density> density = densityOf(mesh_, grown);
+        if (!density) return tl::unexpected(density.error());
+        input.density = onSurface(pattern, *density);
         Growth growth = growCells(input, pattern, level, mark);
         result_.cells.push_back(std::move(growth.cells));
         return cutChords(growth.chords);
@@ -447,7 +451,8 @@ class SurfaceCutter {
         return components.leaf;
     }
 
-    Density densityOf(const Pattern& pattern) const {
+    /// The density as the surface cut so far sees it.
+    Density onSurface(const Pattern& pattern, const Density& density) const {
         if (!pattern.around.empty()) {
             double sigma = pattern.spread * diagonal();
             std::vector<glm::dvec3> places;
@@ -468,9 +473,8 @@ class SurfaceCutter {
                 return std::min(1.0, sum);
             };
         }
-        const auto found = options_.densities.find(pattern.density);
-        if (found == options_.densities.end()) return {};
-        return [this, density = found->second](uint32_t triangle, const glm::dvec3& weights) {
+        if (!density) return {};
+        return [this, density](uint32_t triangle, const glm::dvec3& weights) {
             // Told in weights of the mesh's own triangle.
             const SplitTriangle& t = result_.surface.triangles[triangle];
             const auto& corners = mesh_.triangles[t.source];

@@ -6,11 +6,9 @@
 // every triangle. Each cut is exact over the surface that the one before left.
 #pragma once
 
-#include <map>
 #include <optional>
 
 #include "map/gap_closing.h"
-#include "pattern/site_sampling.h"
 #include "sherd/baker/fracture_plan.h"
 #include "sherd/baker/recipe.h"
 #include "sherd/baker/report.h"
@@ -29,8 +27,6 @@ struct CutOptions {
     double snapDistance = 1e300;  ///< places in 3D farther from the surface are refused; metres
     PageWrap wrap = PageWrap::texture;
     bool splitPatches = false;
-    /// Where the cells of a pattern crowd, by what the pattern asks for (`Pattern::density`).
-    std::map<std::string, Density> densities;
 };
 
 struct CutSurface {

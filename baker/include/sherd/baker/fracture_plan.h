@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "sherd/baker/fracture_map.h"
@@ -19,6 +20,7 @@ struct FracturePlan {
     struct Grown {
         Pattern pattern;
         uint32_t level = 1;
+        std::shared_ptr<const GreyImage> density = {};  ///< the picture `pattern.density` names
     };
     std::vector<Drawing> drawings;
     std::vector<Grown> patterns;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -39,6 +40,15 @@ struct Pattern {
     std::string density;
     std::string text;  ///< as it was asked for, for reports
 };
+
+/// A grey picture, row by row from the top.
+struct GreyImage {
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> values;  ///< 0 black
+};
+
+/// A PNG or JPEG as grey. Errors: fileNotFound, fileRead, malformed, limitExceeded.
+Result<GreyImage> readGreyImage(const std::filesystem::path& path);
 
 /// KIND:COUNTS[:SEED][:KEY=VALUE]...: "voronoi:12", "voronoi:50:7:around=0,1,0:spread=0.1",
 /// "grid:4x3:brick:on=box", "radial:12x4:1:at=0,1,0:axis=z", "wood:20:3:axis=y:elongation=8". Error
