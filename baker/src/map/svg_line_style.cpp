@@ -3,10 +3,7 @@
 
 #include "map/map_limits.h"
 #include "map/map_text.h"
-<<<<<<< HEAD
-=======
 #include "map/svg_labels.h"
->>>>>>> readers
 #include "map/svg_names.h"
 
 namespace sherd {
@@ -25,15 +22,12 @@ void enterQuantity(const pugi::xml_node& node, const char* name, std::optional<f
                            "\" is left out: a number of at least 0 was expected");
 }
 
-<<<<<<< HEAD
-=======
 /// A label's data-level="0", which is no level of a line.
 bool meansDeepest(const pugi::xml_node& node) {
     return parseSmallNumber(node.attribute("data-level").value()) == 0U &&
            (localName(node.name()) == "text" || hasSvgLabelAttributes(node));
 }
 
->>>>>>> readers
 }  // namespace
 
 void SvgLineStyle::enter(const pugi::xml_node& node, const SvgStyle& style,
@@ -49,11 +43,7 @@ void SvgLineStyle::enter(const pugi::xml_node& node, const SvgStyle& style,
         const uint32_t level = parseSmallNumber(attribute.value()).value_or(0);
         if (level >= 1 && level <= kMaxMapLevel)
             said = own_ = level;
-<<<<<<< HEAD
-        else
-=======
         else if (!meansDeepest(node))
->>>>>>> readers
             problems.push_back("data-level=\"" + shortened(attribute.value(), 40) +
                                "\" is left out: " + range + " was expected");
     }

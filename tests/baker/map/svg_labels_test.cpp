@@ -205,15 +205,12 @@ TEST_CASE("a label means a component of its layer's level, or the deepest") {
     CHECK(labelOf("<g id='level 2'><text>anchor</text></g>").level == 2);
     CHECK(labelOf("<g id='level 2'><text>anchor; level: 0</text></g>").level == 0);
     CHECK(labelOf("<g id='level 2'><circle r='3' data-label='a'/></g>").level == 2);
-<<<<<<< HEAD
-=======
     for (const char* body :
          {"<circle r='3' data-label='a' data-level='0'/>", "<text data-level='0'>anchor</text>"}) {
         const FractureMap map = readLabels("<g id='level 2'>" + std::string(body) + "</g>");
         CHECK(map.labels.at(0).level == 0);
         CHECK(map.warnings.empty());
     }
->>>>>>> readers
 }
 
 TEST_CASE("hidden labels and those in the guide layer say nothing") {
