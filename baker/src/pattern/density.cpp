@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <iterator>
 
 #include "map/bitmap_picture.h"
@@ -19,24 +21,56 @@ double luminance(double r, double g, double b) {
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;  // of linear colours, as COLOR_0 is
 }
 
-Density byColor(const SurfaceMesh& mesh, const Attribute& color) {
-    return [&mesh, &color](uint32_t triangle, const glm::dvec3& weights) {
+glm::dvec3 positionOf(const SplitSurface& surface, uint32_t triangle, const glm::dvec3& weights) {
+    glm::dvec3 position(0.0);
+    for (int k = 0; k < 3; ++k)
+        position +=
+            glm::dvec3(surface.positions[surface.triangles[triangle].v[static_cast<size_t>(k)]]) *
+            weights[k];
+    return position;
+}
+
+/// Bells around the places, as wide as `sigma` metres.
+Density byPlaces(const SplitSurface& surface, std::vector<glm::dvec3> places, double sigma) {
+    return [&surface, places = std::move(places), sigma](uint32_t triangle,
+                                                         const glm::dvec3& weights) {
+        const glm::dvec3 p = positionOf(surface, triangle, weights);
+        double sum = kLeast;
+        for (const glm::dvec3& place : places) {
+            const double d = glm::distance(p, place) / sigma;
+            sum += std::exp(-0.5 * d * d);
+        }
+        return std::min(1.0, sum);
+    };
+}
+
+Density byColor(const SurfaceMesh& mesh, const SplitSurface& surface, const Attribute& color) {
+    return [&mesh, &surface, &color](uint32_t triangle, const glm::dvec3& weights) {
+        // Cut vertices are sums of mesh vertices, and so are their colours.
+        const SplitTriangle& t = surface.triangles[triangle];
+        const auto& source = mesh.triangles[t.source];
         double sum = 0;
-        for (size_t k = 0; k < 3; ++k) {
-            const float* c = &color.values[size_t{color.components} * mesh.corners[triangle][k]];
-            sum += weights[static_cast<int>(k)] * luminance(c[0], c[1], c[2]);
+        for (int k = 0; k < 3; ++k) {
+            const VertexOrigin& origin = surface.origins[t.v[static_cast<size_t>(k)]];
+            for (int j = 0; j < 3; ++j) {
+                const auto at = std::find(source.begin(), source.end(),
+                                          origin.vertices[static_cast<size_t>(j)]);
+                if (at == source.end()) continue;
+                const uint32_t corner =
+                    mesh.corners[t.source][static_cast<size_t>(at - source.begin())];
+                const float* c = &color.values[size_t{color.components} * corner];
+                sum += weights[k] * origin.weights[j] * luminance(c[0], c[1], c[2]);
+            }
         }
         return std::clamp(sum, kLeast, 1.0);
     };
 }
 
-Density byPicture(const SurfaceMesh& mesh, std::shared_ptr<const GreyImage> picture) {
-    return [&mesh, picture](uint32_t triangle, const glm::dvec3& weights) {
-        glm::dvec3 position(0.0);
-        for (size_t k = 0; k < 3; ++k)
-            position += glm::dvec3(mesh.positions[mesh.triangles[triangle][k]]) *
-                        weights[static_cast<int>(k)];
-        const std::optional<glm::dvec2> uv = uvOf(mesh, triangle, position);
+Density byPicture(const SurfaceMesh& mesh, const SplitSurface& surface,
+                  std::shared_ptr<const GreyImage> picture) {
+    return [&mesh, &surface, picture](uint32_t triangle, const glm::dvec3& weights) {
+        const std::optional<glm::dvec2> uv =
+            uvOf(mesh, surface.triangles[triangle].source, positionOf(surface, triangle, weights));
         const auto texel = [](double x, uint32_t size) {
             const double wrapped = x - std::floor(x);
             return std::min(static_cast<uint32_t>(wrapped * size), size - 1);
@@ -50,8 +84,23 @@ Density byPicture(const SurfaceMesh& mesh, std::shared_ptr<const GreyImage> pict
 
 }  // namespace
 
-Result<Density> densityOf(const SurfaceMesh& mesh, const FracturePlan::Grown& grown) {
-    const std::string& asked = grown.pattern.density;
+Result<Density> densityOf(const SurfaceMesh& mesh, const SplitSurface& surface,
+                          const FracturePlan::Grown& grown) {
+    const Pattern& pattern = grown.pattern;
+    if (!pattern.around.empty()) {
+        glm::dvec3 low(1e300);
+        glm::dvec3 high(-1e300);
+        for (const glm::vec3& p : mesh.positions) {
+            low = glm::min(low, glm::dvec3(p));
+            high = glm::max(high, glm::dvec3(p));
+        }
+        std::vector<glm::dvec3> places;
+        const glm::dquat toObject = glm::inverse(glm::dquat(mesh.restPose.rotation));
+        for (const glm::dvec3& p : pattern.around)
+            places.push_back(toObject * (p - glm::dvec3(mesh.restPose.translation)));
+        return byPlaces(surface, std::move(places), pattern.spread * glm::distance(low, high));
+    }
+    const std::string& asked = pattern.density;
     if (asked.empty()) return Density();
     const std::string where = "pattern \"" + grown.pattern.text + "\"";
     if (asked == "color") {
@@ -60,7 +109,7 @@ Result<Density> densityOf(const SurfaceMesh& mesh, const FracturePlan::Grown& gr
             return fail(ErrorCode::invalidData,
                         "mesh \"" + mesh.name + "\" has no vertex colours for density=color",
                         where);
-        return byColor(mesh, *color);
+        return byColor(mesh, surface, *color);
     }
     if (findAttribute(mesh.attributes, mesh.uvSemantic) == nullptr)
         return fail(ErrorCode::noTextureCoordinates,
@@ -69,7 +118,7 @@ Result<Density> densityOf(const SurfaceMesh& mesh, const FracturePlan::Grown& gr
                     where);
     if (!grown.density || grown.density->values.empty())
         return fail(ErrorCode::badArgument, "its density picture was not read", where);
-    return byPicture(mesh, grown.density);
+    return byPicture(mesh, surface, grown.density);
 }
 
 Result<GreyImage> readGreyImage(const std::filesystem::path& path) {

@@ -8,9 +8,11 @@
 
 namespace sherd {
 
-/// By a picture in UV (dark: many, repeated outside [0, 1]) or the vertex colour COLOR_0 (bright:
-/// many). triangle, weights: of the mesh. A little everywhere, so that no cell is endless. Empty
-/// where the pattern asks for nothing; error invalidData where the mesh lacks what it asks for.
-Result<Density> densityOf(const SurfaceMesh& mesh, const FracturePlan::Grown& grown);
+/// Around places, by a picture in UV (dark: many, repeated outside [0, 1]), or by the vertex colour
+/// COLOR_0 (bright: many). A little everywhere, so that no cell is endless. Empty where the pattern
+/// asks for nothing. The mesh and the surface must outlive it. Errors: invalidData,
+/// noTextureCoordinates where the mesh lacks what is asked for.
+Result<Density> densityOf(const SurfaceMesh& mesh, const SplitSurface& surface,
+                          const FracturePlan::Grown& grown);
 
 }  // namespace sherd

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "surface/cutting_surface.h"
+
+#include <array>
+#include <cstdio>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "surface/triangulation.h"
+
+namespace sherd {
+namespace {
+
+/// A line that ends this near another, in page units, was most likely meant to reach it.
+constexpr double kSmallGap = 0.02;
+
+std::string gapNote(double distance) {
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(),
+                  ", %.2g short of a line: --close-gaps %.2g leads it there", distance,
+                  1.2 * distance);
+    return text.data();
+}
+
+}  // namespace
+
+CuttingSurface::CuttingSurface(const SurfaceMesh& sourceMesh, const MeshTopology& topology,
+                               const CutOptions& cutOptions)
+    : mesh(sourceMesh), options(cutOptions) {
+    result.surface = uncutSurface(mesh);
+    result.topology = topology;
+}
+
+Result<void> CuttingSurface::cutAlong(const Pass& pass, std::span<const Cut> cuts) {
+    ResolvedEdges edges = resolveEdges(result.topology, result.surface, cuts);
+    SeamReport seams;
+    if (pass.seamLine != 0) markSeams(pass, edges);
+    if (pass.seams)
+        seams = joinAcrossSeams(result.topology, result.surface, pass.frames, cuts, result.lines,
+                                options.seams, edges);
+    std::vector<uint32_t> from;
+    const SplitInput input{result.surface, result.topology, pass.frames, pass.map, cuts, edges};
+    Result<SplitSurface> split = splitSurface(input, result.cells.empty() ? nullptr : &from);
+    if (!split) return tl::unexpected(split.error());
+    findDeadEnds(pass, cuts);
+    result.surface = std::move(*split);
+    result.topology = buildTopology(result.surface.positions, vertexTriangles(result.surface));
+    for (CellLevel& cells : result.cells) {
+        std::vector<uint32_t> domain;
+        domain.reserve(from.size());
+        for (const uint32_t t : from) domain.push_back(cells.domain[t]);
+        cells.domain = std::move(domain);
+    }
+    result.seams.joined += seams.joined;
+    result.seams.loose.insert(result.seams.loose.end(), seams.loose.begin(), seams.loose.end());
+    return {};
+}
+
+void CuttingSurface::markSeams(const Pass& pass, ResolvedEdges& edges) const {
+    for (uint32_t h = 0; h < result.topology.opposite.size(); ++h) {
+        if (!isUvSeam(result.topology, pass.frames, h)) continue;
+        const uint32_t edge = result.topology.halfEdgeEdge[h];
+        for (uint32_t p = 0; p <= edges.pointCount(edge); ++p)
+            edges.markPiece(edges.firstPiece(edge) + p, pass.seamLine);
+    }
+}
+
+void CuttingSurface::findDeadEnds(const Pass& pass, std::span<const Cut> cuts) {
+    std::vector<uint32_t> degree(pass.map.nodes.size(), 0);
+    for (const MapEdge& edge : pass.map.edges) {
+        ++degree[edge.from];
+        ++degree[edge.to];
+    }
+    std::map<uint32_t, const Cut*> cutOfNode;
+    std::optional<MapIndex> index;
+    for (const Cut& cut : cuts) {
+        for (const CutEnd& end : {cut.from, cut.to}) {
+            if (end.where == CutEnd::Where::inside && degree[end.node] == 1)
+                cutOfNode.try_emplace(end.node, &cut);
+        }
+    }
+    for (const auto& [node, cut] : cutOfNode) {
+        const glm::dvec3 position =
+            positionAt(cut->triangle, pass.frames[cut->triangle], nodeUv(pass.map, node));
+        std::string note = result.lines.line(cut->line).source;
+        if (pass.seams) {
+            if (!index) index.emplace(pass.map);
+            const auto ahead = lineNear(pass.map, *index, node, cut->mapEdge, kSmallGap);
+            if (ahead) note += gapNote(glm::distance(*ahead, nodeUv(pass.map, node)));
+        }
+        result.deadEnds.push_back({position, uvAt(cut->triangle, position), note});
+    }
+}
+
+glm::dvec3 CuttingSurface::positionAt(uint32_t triangle, const UvTriangle& frame,
+                                      const glm::dvec2& uv) const {
+    const auto at = [&](size_t k) {
+        return glm::dvec2(frame.corner[k].u, frame.corner[k].v) / double{kGridOne};
+    };
+    const auto area = [](glm::dvec2 x, glm::dvec2 y) { return x.x * y.y - x.y * y.x; };
+    const double whole = area(at(1) - at(0), at(2) - at(0));
+    const double b = whole == 0 ? 0 : area(uv - at(0), at(2) - at(0)) / whole;
+    const double c = whole == 0 ? 0 : area(at(1) - at(0), uv - at(0)) / whole;
+    const auto& v = result.surface.triangles[triangle].v;
+    return glm::dvec3(result.surface.positions[v[0]]) * (1 - b - c) +
+           glm::dvec3(result.surface.positions[v[1]]) * b +
+           glm::dvec3(result.surface.positions[v[2]]) * c;
+}
+
+std::optional<glm::dvec2> CuttingSurface::uvAt(uint32_t triangle,
+                                               const glm::dvec3& position) const {
+    return uvOf(mesh, result.surface.triangles[triangle].source, position);
+}
+
+Result<void> CuttingSurface::cutChords(std::span<const Chord> chords) {
+    const Result<ChordCuts> cuts = cutsOfChords(chords);
+    if (!cuts) return tl::unexpected(cuts.error());
+    const std::vector<UvTriangle> frames(result.surface.triangles.size(), unitFrame());
+    return cutAlong({cuts->map, frames, false, 0}, cuts->cuts);
+}
+
+glm::dvec3 CuttingSurface::toObject(const glm::dvec3& scene) const {
+    return glm::inverse(glm::dquat(mesh.restPose.rotation)) *
+           (scene - glm::dvec3(mesh.restPose.translation));
+}
+
+std::pair<glm::dvec3, glm::dvec3> CuttingSurface::extent() const {
+    glm::dvec3 low(1e300);
+    glm::dvec3 high(-1e300);
+    for (const SplitTriangle& t : result.surface.triangles) {
+        for (const uint32_t v : t.v) {
+            low = glm::min(low, glm::dvec3(result.surface.positions[v]));
+            high = glm::max(high, glm::dvec3(result.surface.positions[v]));
+        }
+    }
+    return {low, high};
+}
+
+}  // namespace sherd
