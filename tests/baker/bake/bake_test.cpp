@@ -70,6 +70,13 @@ SurfaceMesh twoCubes() {
     return mesh;
 }
 
+/// The page is not repeated: what lies beside it is cut by what is drawn there.
+Recipe unwrapped() {
+    Recipe recipe;
+    recipe.wrap = PageWrap::none;
+    return recipe;
+}
+
 ErrorCode bakeError(const SurfaceMesh& mesh, const FractureMap& map, const Recipe& recipe = {}) {
     const Result<BakedObject> baked = bakeObject(mesh, planOf(map), recipe, 0);
     REQUIRE_FALSE(baked.has_value());
@@ -300,7 +307,7 @@ TEST_CASE(
     const SurfaceMesh mesh = twoCubes();
     FractureMap map;
     addRing(map, 0.4, 1);
-    const Result<BakedObject> baked = bakeObject(mesh, planOf(map), {}, 0);
+    const Result<BakedObject> baked = bakeObject(mesh, planOf(map), unwrapped(), 0);
     if (!baked) FAIL(baked.error().message);
     CHECK(baked->report.parts == 2);
     CHECK(baked->report.levels[1].fragments == 3);
@@ -308,6 +315,14 @@ TEST_CASE(
     float largest = 0;
     for (uint32_t f = 1; f < 4; ++f) largest = std::max(largest, baked->set.fragments[f].volume);
     CHECK(largest == doctest::Approx(1));  // the whole second cube
+}
+
+TEST_CASE("the page is repeated beside itself, as textures are, unless it is told not to be") {
+    FractureMap map;
+    addRing(map, 0.4, 1);
+    const Result<BakedObject> baked = bakeObject(twoCubes(), planOf(map), {}, 0);
+    if (!baked) FAIL(baked.error().message);
+    CHECK(baked->report.levels[1].fragments == 4);
 }
 
 TEST_CASE("two parts cut from different levels on: what only level 2 divides adds up as well") {
@@ -320,7 +335,7 @@ TEST_CASE("two parts cut from different levels on: what only level 2 divides add
         line.level = 2;
         map.lines.push_back(line);
     }
-    const CheckReport report = checkSet(mesh, map);
+    const CheckReport report = checkSet(mesh, map, unwrapped());
     CHECK(report.passed());
     CHECK(report.objects[0].levels[1].fragments == 3);
     CHECK(report.objects[0].levels[2].fragments == 4);
