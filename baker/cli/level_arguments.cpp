@@ -71,7 +71,7 @@ void addLineOptions(CLI::App& command, LevelArguments& arguments) {
                     "(default 0.0001)")
         ->check(inRange(1e-7, 0.1));
     command
-        .add_option("--across-seams,--seam-join", arguments.seamJoinShare,
+        .add_option("--seam-join,--across-seams", arguments.seamJoinShare,
                     "Join line ends across a chart border that are nearer than this share of the "
                     "object's diagonal (default 0.005)")
         ->check(inRange(0.0, 0.1));

@@ -72,7 +72,8 @@ std::string seamNumbers(std::span<const SeamLabel> labels, double resolution, si
     }
     if (out.empty()) return {};
     return "    <g id=\"sherd-guide-seams\" style=\"font-family:sans-serif;font-size:" +
-           svgNumber(height) + "px;text-anchor:middle;fill:#a05a00\">\n" + out + "    </g>\n";
+           svgNumber(height) + "px;text-anchor:middle;fill:#a05a00;stroke:#ffffff;stroke-width:" +
+           svgNumber(0.25 * height) + ";paint-order:stroke\">\n" + out + "    </g>\n";
 }
 
 std::string wireframeLayer(const UvWireframe& wireframe, std::span<const SeamLabel> seams,
@@ -149,10 +150,9 @@ Result<Layout> makeLayoutSvg(std::span<const SurfaceMesh> meshes, const LayoutOp
     const std::string size = std::to_string(options.resolution);
     const std::vector<SeamLabel> seams =
         options.seamLabels ? seamLabels(meshes) : std::vector<SeamLabel>();
-    layout.svg =
-        head(size) + wireframeLayer(wireframe, seams, options, size, layout) +
-        overlayLayers(options.overlays, wireframe.points, options.resolution, layout.spots) +
-        levelLayers() + "</svg>\n";
+    layout.svg = head(size) + wireframeLayer(wireframe, seams, options, size, layout) +
+                 overlayLayers(options.overlays, meshes, options.resolution, layout.spots) +
+                 levelLayers() + "</svg>\n";
     return layout;
 }
 

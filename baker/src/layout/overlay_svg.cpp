@@ -3,12 +3,14 @@
 #include "layout/overlay_svg.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
 #include <vector>
 
+#include "layout/free_place.h"
 #include "layout/svg_text.h"
 
 namespace sherd {
@@ -135,20 +137,6 @@ std::string spotLayer(const std::vector<Spot>& spots, double size, double unit) 
     return content.empty() ? "" : guideLayer("sherd-guide-spots", "sherd guide spots", content);
 }
 
-/// The upper left end of a box of that extent in the corner of the page with the fewest points.
-glm::dvec2 emptiestCorner(std::span<const glm::vec2> points, const glm::dvec2& extent) {
-    const std::array<glm::dvec2, 4> corners = {
-        {{0, 0}, {1 - extent.x, 0}, {0, 1 - extent.y}, {1 - extent.x, 1 - extent.y}}};
-    std::array<size_t, 4> count{};
-    for (const glm::dvec2 p : points)
-        for (size_t k = 0; k < corners.size(); ++k) {
-            const glm::dvec2 d = p - corners[k];
-            if (d.x >= 0 && d.y >= 0 && d.x <= extent.x && d.y <= extent.y) ++count[k];
-        }
-    const auto least = std::min_element(count.begin(), count.end());
-    return corners[static_cast<size_t>(least - count.begin())];
-}
-
 /// One row of the legend: its sign is drawn around `at`, its words beside it.
 struct LegendRow {
     std::string words;
@@ -179,14 +167,14 @@ std::vector<LegendRow> legendRows(std::span<const LayoutOverlay> overlays,
     return rows;
 }
 
-std::string legendLayer(const std::vector<LegendRow>& rows, std::span<const glm::vec2> points,
+std::string legendLayer(const std::vector<LegendRow>& rows, std::span<const SurfaceMesh> meshes,
                         double size, double unit) {
     if (rows.empty()) return {};
     size_t longest = 0;
     for (const LegendRow& row : rows) longest = std::max(longest, row.words.size());
     const glm::dvec2 extent((5 + 0.85 * static_cast<double>(longest)) * unit,
                             (1 + 2.2 * static_cast<double>(rows.size())) * unit);
-    const glm::dvec2 corner = emptiestCorner(points, extent / size) * size;
+    const glm::dvec2 corner = freePlace(meshes, extent / size) * size;
     std::string content = "    <rect id=\"sherd-guide-legend-back\" x=\"" + svgNumber(corner.x) +
                           "\" y=\"" + svgNumber(corner.y) + "\" width=\"" + svgNumber(extent.x) +
                           "\" height=\"" + svgNumber(extent.y) +
@@ -223,12 +211,12 @@ std::string guideLayer(const std::string& id, const std::string& label,
 }
 
 std::string overlayLayers(std::span<const LayoutOverlay> overlays,
-                          std::span<const glm::vec2> points, double size, size_t& spots) {
+                          std::span<const SurfaceMesh> meshes, double size, size_t& spots) {
     const double unit = size / 100;
     const std::vector<Spot> found = spotsOf(overlays);
     spots = found.size();
     return lineLayer(overlays, size, unit) + spotLayer(found, size, unit) +
-           legendLayer(legendRows(overlays, found), points, size, unit);
+           legendLayer(legendRows(overlays, found), meshes, size, 0.6 * unit);
 }
 
 }  // namespace sherd

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <glm/vec2.hpp>
 #include <span>
 #include <string>
 
@@ -15,9 +13,9 @@ namespace sherd {
 /// layers.
 std::string guideLayer(const std::string& id, const std::string& label, const std::string& content);
 
-/// Overlays as layers: lines, rings around places to look at, and a legend in the corner that holds
-/// the fewest of `points` (page coordinates). Empty for overlays without any. Counts `spots`.
+/// Overlays as layers: lines, rings around places to look at, and a legend where it covers
+/// the least of the meshes' charts. Empty for overlays without any. Counts `spots`.
 std::string overlayLayers(std::span<const LayoutOverlay> overlays,
-                          std::span<const glm::vec2> points, double size, size_t& spots);
+                          std::span<const SurfaceMesh> meshes, double size, size_t& spots);
 
 }  // namespace sherd

@@ -98,7 +98,7 @@ SeamLabel labelAt(const SeamEdge& edge, double length) {
 
 /// A long stretch is numbered again and again, so that one end does not look for the other.
 void labelStretch(const std::vector<const SeamEdge*>& stretch, std::vector<SeamLabel>& labels) {
-    constexpr double kLongest = 0.2;
+    constexpr double kLongest = 0.3;
     constexpr double kMostParts = 64;
     double whole = 0;
     for (const SeamEdge* edge : stretch) whole += lengthOf(*edge);
