@@ -13,6 +13,8 @@
 
 #include "command_files.h"
 #include "exit_codes.h"
+#include "level_arguments.h"
+#include "print_finding.h"
 #include "sherd/baker/bake.h"
 #include "sherd/formats/glb_write.h"
 
@@ -20,24 +22,11 @@ namespace sherd::cli {
 namespace {
 
 struct BakeArguments {
-    std::filesystem::path model, output, recipe, report;
-    std::vector<std::string> maps, patterns;
-    std::vector<RecipeLevel> levels;  ///< maps and patterns in the order they were named
-    std::string projection = "uv";
-    std::string wrap;
-    std::vector<std::string> levelColors;
+    std::filesystem::path model, output, report;
+    LevelArguments lines;
     ImportOptions import;
     std::string interior = "medial";
     std::optional<double> density;
-    std::optional<double> curveTolerance;
-    std::optional<double> seamJoinShare;
-    std::optional<double> closeGaps;
-    std::optional<double> minimumComponentShare;
-    std::optional<double> snapShare;
-    std::optional<double> bitmapThreshold, bitmapTolerance, bitmapSpur;
-    bool bitmapCurves = false;
-    bool noModelLines = false;
-    bool splitParts = false;
     std::optional<unsigned> threads;
     bool thesis = false;
     bool allowOpen = false;
@@ -67,81 +56,14 @@ class ProgressLine {
     std::mutex mutex_;
 };
 
-/// What options say in words of their own.
-Result<void> readTexts(const BakeArguments& arguments, Recipe& recipe) {
-    const Result<Projection> projection = parseProjection(arguments.projection);
-    if (!projection) return tl::unexpected(projection.error());
-    if (arguments.recipe.empty())
-        for (RecipeLevel& level : recipe.levels) level.projection = *projection;
-    for (const std::string& text : arguments.levelColors) {
-        const size_t equals = text.rfind('=');
-        uint32_t level = 0;
-        if (equals == std::string::npos ||
-            !CLI::detail::lexical_cast(text.substr(equals + 1), level) || level < 1 || level > 64)
-            return fail(ErrorCode::badArgument,
-                        "\"" + text + "\" is not COLOR=LEVEL, like \"#ff0000=2\" or red=2",
-                        "--level-color");
-        recipe.levelOfColor.emplace_back(text.substr(0, equals), level);
-    }
-    if (arguments.wrap.empty()) return {};
-    const Result<PageWrap> wrap = parsePageWrap(arguments.wrap);
-    if (!wrap) return tl::unexpected(wrap.error());
-    recipe.wrap = *wrap;
-    return {};
-}
-
 Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
-    Recipe recipe;
-    if (!arguments.recipe.empty()) {
-        Result<Recipe> read = readRecipe(arguments.recipe);
-        if (!read) return read;
-        recipe = std::move(*read);
-    }
-    if (recipe.levels.empty()) {
-        recipe.levels = arguments.levels;
-    } else if (!arguments.levels.empty()) {
-        std::fprintf(stderr,
-                     "sherd-bake: the recipe names its own levels; those of --map and --pattern "
-                     "are left out\n");
-    }
-    if (const Result<void> read = readTexts(arguments, recipe); !read)
-        return tl::unexpected(read.error());
-    if (arguments.density) recipe.physics.density = *arguments.density;
-    if (arguments.curveTolerance) recipe.curveTolerance = *arguments.curveTolerance;
-    if (arguments.seamJoinShare) recipe.seamJoinShare = *arguments.seamJoinShare;
-    if (arguments.closeGaps) recipe.closeGaps = *arguments.closeGaps;
-    if (arguments.minimumComponentShare)
-        recipe.minimumComponentShare = *arguments.minimumComponentShare;
-    if (arguments.snapShare) recipe.snapShare = *arguments.snapShare;
-    if (arguments.bitmapThreshold) recipe.bitmap.threshold = *arguments.bitmapThreshold;
-    if (arguments.bitmapTolerance) recipe.bitmap.tolerance = *arguments.bitmapTolerance;
-    if (arguments.bitmapSpur) recipe.bitmap.spur = *arguments.bitmapSpur;
-    recipe.bitmap.curves = recipe.bitmap.curves || arguments.bitmapCurves;
-    recipe.modelLines = recipe.modelLines && !arguments.noModelLines;
-    recipe.splitParts = recipe.splitParts || arguments.splitParts;
-    if (arguments.threads) recipe.threads = *arguments.threads;
-    recipe.interior.thesis = recipe.interior.thesis || arguments.thesis;
-    recipe.allowOpen = recipe.allowOpen || arguments.allowOpen;
+    Result<Recipe> recipe = recipeOf(arguments.lines);
+    if (!recipe) return recipe;
+    if (arguments.density) recipe->physics.density = *arguments.density;
+    if (arguments.threads) recipe->threads = *arguments.threads;
+    recipe->interior.thesis = recipe->interior.thesis || arguments.thesis;
+    recipe->allowOpen = recipe->allowOpen || arguments.allowOpen;
     return recipe;
-}
-
-Result<FracturePlan> readPlan(const Recipe& recipe) {
-    std::vector<FracturePlan> levels;
-    for (const RecipeLevel& level : recipe.levels) {
-        FracturePlan& plan = levels.emplace_back();
-        if (level.pattern) {
-            plan.patterns.push_back({*level.pattern, 1});
-            continue;
-        }
-        MapReadOptions options;
-        options.tolerance = recipe.curveTolerance;
-        options.levelOfColor = recipe.levelOfColor;
-        options.bitmap = recipe.bitmap;
-        Result<FractureMap> map = readFractureMap(level.map, options);
-        if (!map) return tl::unexpected(map.error());
-        plan.drawings.push_back({std::move(*map), level.projection});
-    }
-    return stackLevels(std::move(levels));
 }
 
 void printTable(const BakeReport& report) {
@@ -160,12 +82,7 @@ void printTable(const BakeReport& report) {
         for (const StageTime& stage : object.stages)
             std::printf(" %s %.0f ms,", stage.name.c_str(), stage.seconds * 1e3);
         std::printf(" in all %.2f s\n", report.seconds);
-        for (const BakeFinding& finding : object.findings) {
-            std::printf(
-                "  note %s: %s%s%s%s\n", finding.code.c_str(), finding.message.c_str(),
-                finding.count > 1 ? (" (" + std::to_string(finding.count) + ")").c_str() : "",
-                finding.where.empty() ? "" : ": ", finding.where.c_str());
-        }
+        for (const BakeFinding& finding : object.findings) printFinding(finding);
     }
 }
 
@@ -219,7 +136,7 @@ class ReportFile {
 /// A bake may take long: what cannot be written at its end, or would overwrite somebody's work, is
 /// said at its start. The model itself may be the output: its document is kept.
 Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) {
-    std::vector<std::filesystem::path> inputs = {arguments.recipe};
+    std::vector<std::filesystem::path> inputs = {arguments.lines.recipe};
     for (const RecipeLevel& level : recipe.levels)
         if (!level.map.empty()) inputs.push_back(level.map);
     for (const std::filesystem::path* output : {&arguments.output, &arguments.report}) {
@@ -251,19 +168,6 @@ Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) 
     return {};
 }
 
-/// Lines may also be modelled on the objects.
-Result<void> checkAnyLines(const Recipe& recipe, Model& model) {
-    bool modelled = false;
-    for (SurfaceMesh& mesh : model.meshes) {
-        if (!recipe.modelLines) mesh.lines.clear();
-        modelled = modelled || !mesh.lines.empty();
-    }
-    if (modelled || !recipe.levels.empty()) return {};
-    return fail(ErrorCode::badArgument,
-                "there is nothing to cut along: draw lines and name them with --map, take a "
-                "--pattern (voronoi:12), model lines on the object, or give a recipe with levels");
-}
-
 Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& progress) {
     const Result<Recipe> recipe = gatherRecipe(arguments);
     if (!recipe) return tl::unexpected(recipe.error());
@@ -272,7 +176,12 @@ Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& prog
     progress("reading", 0);
     Result<Model> model = importModel(arguments.model, arguments.import);
     if (!model) return tl::unexpected(model.error());
-    if (auto ok = checkAnyLines(*recipe, *model); !ok) return tl::unexpected(ok.error());
+    if (!chooseLines(*recipe, *model)) {
+        return fail(ErrorCode::badArgument,
+                    "there is nothing to cut along: draw lines and name them with --map, take a "
+                    "--pattern (voronoi:12), model lines on the object, or give a recipe with "
+                    "levels");
+    }
     const Result<FracturePlan> plan = readPlan(*recipe);
     if (!plan) return tl::unexpected(plan.error());
     Result<BakedFile> baked = bakeModel(*model, *plan, *recipe, progress);
@@ -292,18 +201,6 @@ Result<void> writeFiles(const BakeArguments& arguments, const BakedFile& baked) 
     return report.commit();
 }
 
-/// CLI::Range lets NaN pass.
-CLI::Validator inRange(double low, double high) {
-    const std::string range = CLI::detail::to_string(low) + " to " + CLI::detail::to_string(high);
-    const auto check = [low, high, range](const std::string& text) -> std::string {
-        double value = 0;
-        const bool number = CLI::detail::lexical_cast(text, value);
-        if (number && value >= low && value <= high) return {};
-        return text + " is not a number from " + range;
-    };
-    return {check, "FLOAT from " + range};
-}
-
 int runBake(const BakeArguments& arguments) {
     ProgressLine line(arguments.quiet);
     const Result<BakedFile> baked = bakeFiles(
@@ -316,73 +213,6 @@ int runBake(const BakeArguments& arguments) {
     return kExitOk;
 }
 
-/// Levels in the order in which --map and --pattern stand on the command line.
-Result<void> orderLevels(const CLI::App& command, const CLI::Option* map,
-                         const CLI::Option* pattern, BakeArguments& arguments) {
-    size_t maps = 0;
-    size_t patterns = 0;
-    for (const CLI::Option* option : command.parse_order()) {
-        if (option == map) {
-            arguments.levels.push_back({arguments.maps[maps++], "", {}, std::nullopt});
-        } else if (option == pattern) {
-            Result<Pattern> parsed = parsePattern(arguments.patterns[patterns++]);
-            if (!parsed) return tl::unexpected(parsed.error());
-            arguments.levels.push_back({{}, "", {}, std::move(*parsed)});
-        }
-    }
-    return {};
-}
-
-/// How lines are taken from their sources.
-void addLineOptions(CLI::App& command, BakeArguments& arguments) {
-    command
-        .add_option("--projection", arguments.projection,
-                    "How drawings lie on the object: uv, planar[:AXIS], cylindrical[:AXIS] or box")
-        ->capture_default_str();
-    command.add_option("--wrap", arguments.wrap,
-                       "Lines for texture coordinates outside [0, 1]: texture (as its sampler "
-                       "says), none, repeat, mirror or clamp");
-    command
-        .add_option("--close-gaps", arguments.closeGaps,
-                    "Lead dangling line ends on to the nearest line within this distance, in UV "
-                    "units")
-        ->check(inRange(0.0, 1.0));
-    command
-        .add_option(
-            "--min-component", arguments.minimumComponentShare,
-            "Components below this share of the surface join the neighbour with the longest "
-            "common border (default 1e-5)")
-        ->check(inRange(0.0, 0.5));
-    command
-        .add_option("--snap-distance", arguments.snapShare,
-                    "Places in 3D may be this share of the object's diagonal off the surface "
-                    "(default 0.05)")
-        ->check(inRange(0.0, 10.0));
-    command.add_flag("--no-model-lines", arguments.noModelLines,
-                     "Lines modelled on the object (LINES primitives, OBJ l) do not cut");
-    command.add_flag("--split-parts", arguments.splitParts,
-                     "Every patch of a pattern's cell is a piece of its own");
-    command
-        .add_option("--level-color", arguments.levelColors,
-                    "A stroke colour that chooses the level: COLOR=LEVEL; may be repeated")
-        ->allow_extra_args(false);
-    command
-        .add_option("--bitmap-threshold", arguments.bitmapThreshold,
-                    "What is darker than this is a line, 0 to 1 (default: found)")
-        ->check(inRange(0.0, 1.0));
-    command
-        .add_option("--bitmap-tolerance", arguments.bitmapTolerance,
-                    "Largest distance of a simplified line from the drawn one, texels (default "
-                    "0.5)")
-        ->check(inRange(0.0, 1000.0));
-    command
-        .add_option("--bitmap-spur", arguments.bitmapSpur,
-                    "Shorter dead branches are left out, texels (default 4)")
-        ->check(inRange(0.0, 1000.0));
-    command.add_flag("--bitmap-curves", arguments.bitmapCurves,
-                     "Fit curves through lines traced from a bitmap");
-}
-
 }  // namespace
 
 void addBakeCommand(CLI::App& app, int& exitCode) {
@@ -392,24 +222,10 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         "bake", "Cut a model along drawn lines, level by level, into closed fragments");
     command->add_option("MODEL", arguments->model, "The model: .glb, .gltf or .obj")->required();
     command->add_option("-o,--output", arguments->output, "The baked .glb to write")->required();
-    CLI::Option* map =
-        command
-            ->add_option("--map", arguments->maps,
-                         "A fracture map (.svg, .json, .png or .jpg); repeat it for each deeper "
-                         "level, coarse to fine. With one map its layers \"level 1..n\" choose the "
-                         "level")
-            ->allow_extra_args(false);
-    CLI::Option* pattern =
-        command
-            ->add_option(
-                "--pattern", arguments->patterns,
-                "A generated level: voronoi:N[:SEED], grid:NxM, radial:NxM or wood:N, with "
-                "options below; takes its place among --map as it stands")
-            ->allow_extra_args(false);
-    addLineOptions(*command, *arguments);
-    command->add_option(
-        "--recipe", arguments->recipe,
-        "Levels and settings as JSON; its levels win over --map, other options win over it");
+    addLevelOptions(*command, "--map",
+                    "A fracture map (.svg, .json, .png or .jpg); repeat it for each deeper level, "
+                    "coarse to fine. With one map its layers \"level 1..n\" choose the level",
+                    arguments->lines);
     command->add_option("--report", arguments->report, "Write what was done and found as JSON");
     command
         ->add_option("--node", arguments->import.nodes,
@@ -431,16 +247,6 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
             "--density", arguments->density,
             "kg/m3 (default " + std::to_string(static_cast<int>(defaults.physics.density)) + ")")
         ->check(inRange(1e-6, 1e9));
-    command
-        ->add_option("--tolerance", arguments->curveTolerance,
-                     "Largest distance between a curve and the line that replaces it, in UV units "
-                     "(default 0.0001)")
-        ->check(inRange(1e-7, 0.1));
-    command
-        ->add_option("--across-seams,--seam-join", arguments->seamJoinShare,
-                     "Join line ends across a chart border that are nearer than this share of the "
-                     "object's diagonal (default 0.005)")
-        ->check(inRange(0.0, 0.1));
     command->add_flag(
         "--allow-open", arguments->allowOpen,
         "Bake open and non-manifold meshes too; their pieces get a rim along the border");
@@ -458,8 +264,8 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         "  sherd-bake bake plank.glb -o plank_baked.glb --map cracks.png --projection planar:z\n"
         "  sherd-bake bake town.glb --node Wall -o town_baked.glb --recipe wall.json --report "
         "report.json");
-    command->callback([arguments, command, map, pattern, &exitCode] {
-        if (const auto ok = orderLevels(*command, map, pattern, *arguments); !ok) {
+    command->callback([arguments, command, &exitCode] {
+        if (const auto ok = orderLevels(*command, arguments->lines); !ok) {
             exitCode = printError(ok.error());
             return;
         }

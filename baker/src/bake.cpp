@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <future>
-#include <glm/geometric.hpp>
 
 #include "assembly/geometry.h"
 #include "assembly/labels.h"
@@ -15,6 +14,7 @@
 #include "interior/medial.h"
 #include "interior/piece_mending.h"
 #include "surface/component_merging.h"
+#include "surface/cut_settings.h"
 #include "surface/cut_surface.h"
 #include "surface/surface_point.h"
 #include "surface/vertex_fans.h"
@@ -23,19 +23,6 @@ namespace sherd {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// The bounding box diagonal of the vertices that triangles use.
-double diagonalOf(const SurfaceMesh& mesh) {
-    glm::dvec3 low(1e300);
-    glm::dvec3 high(-1e300);
-    for (const auto& t : mesh.triangles) {
-        for (const uint32_t v : t) {
-            low = glm::min(low, glm::dvec3(mesh.positions[v]));
-            high = glm::max(high, glm::dvec3(mesh.positions[v]));
-        }
-    }
-    return mesh.triangles.empty() ? 0 : glm::distance(low, high);
-}
 
 /// One object's bake: what the stages hand to each other.
 class Bake {
@@ -123,7 +110,8 @@ class Bake {
     /// Thesis steps 1 to 5: the surface is cut into components.
     Result<void> cut() {
         const StageTimer timer = stage("cutting", 0.1);
-        Result<CutSurface> done = cutSurface(mesh_, meshTopology_, plan_, cutOptions());
+        Result<CutSurface> done =
+            cutSurface(mesh_, meshTopology_, plan_, cutOptionsOf(recipe_, diagonal_));
         if (!done) return tl::unexpected(done.error());
 #ifdef SHERD_VALIDATE
         if (!isFaithfulSplit(mesh_, meshTopology_, *done, 1e-4)) {
@@ -140,16 +128,6 @@ class Bake {
         report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
         reportCutting(mesh_, cut_, components_, report());
         return judgeSeparation(components_, cut_, report());
-    }
-
-    CutOptions cutOptions() const {
-        CutOptions options;
-        options.seams = {recipe_.seamJoinShare * diagonal_, recipe_.interior.thesis};
-        options.closeGaps = recipe_.closeGaps;
-        options.snapDistance = recipe_.snapShare * diagonal_;
-        options.wrap = recipe_.wrap;
-        options.splitPatches = recipe_.splitParts;
-        return options;
     }
 
     /// Thesis steps 6 and 7: hidden points, and every component closed by its sheet and walls.

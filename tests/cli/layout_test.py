@@ -121,6 +121,72 @@ class DrawingOverTheLayout(CommandCase):
         self.succeed('layout', self.model, '-o', drawing, '--force')
         self.assertEqual(drawing.read_bytes(), self.template.read_bytes())
 
+    def guides(self, svg):
+        """The template's layers by name."""
+        label = '{http://www.inkscape.org/namespaces/inkscape}label'
+        return {g.get(label): g for g in xml.parse(svg).getroot().findall('{*}g')}
+
+    def test_lines_drawn_before_are_shown_over_the_template_and_never_become_cracks(self):
+        self.layout()
+        drawing = self.draw(level_1=f'<path id="halves" d="M0 {0.53 * SIZE} H{SIZE}"/>'
+                                    f'<path id="stub" d="M 100 460 L 150 500"/>')
+        look = self.dir / 'look.svg'
+        result = self.succeed('layout', self.model, '-o', look, '--lines', drawing)
+        for told in ('dead-ends', 'idle-lines', '3 places to look at'):
+            self.assertIn(told, result.stdout)
+        layers = self.guides(look)
+        self.assertEqual(list(layers), ['sherd guide', 'sherd guide lines', 'sherd guide spots',
+                                        'sherd guide legend', 'level 1', 'level 2', 'level 3'])
+        locked = '{http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd}insensitive'
+        for name, layer in layers.items():
+            self.assertEqual(layer.get(locked), 'true' if 'guide' in name else None)
+        titles = [t.text for t in layers['sherd guide lines'].findall('.//{*}title')]
+        self.assertEqual(len(titles), 2)
+        self.assertIn('#halves', titles[0])
+        self.assertIn('#stub (separates nothing here)', titles[1])
+        ends = {(c.get('cx'), c.get('cy')) for c in layers['sherd guide spots'].findall('.//{*}circle')
+                if c.find('{*}title').text.startswith('dead-ends')}
+        self.assertEqual(ends, {('100.00', '460.00'), ('150.00', '500.00')})
+        self.refuse_bake(self.model, [look], 'EmptyMap', ['look.svg', 'guide'])
+
+        self.template = look
+        again = self.draw(level_1=f'<path d="M0 {0.53 * SIZE} H{SIZE}"/>')
+        self.assertEqual(self.levels(again)[0], [1, 2])
+
+    def test_patterns_projections_and_levels_are_shown_as_they_would_be_baked(self):
+        look = self.dir / 'look.svg'
+        halves = self.write('halves.svg', inputs.halves_svg())
+        self.succeed('layout', self.model, '-o', look, '--lines', halves, '--pattern',
+                     'voronoi:9')
+        titles = [t.text for t in self.guides(look)['sherd guide lines'].findall('.//{*}title')]
+        self.assertTrue(titles[0].startswith('level 1: halves.svg'), titles)
+        self.assertTrue(titles[1].startswith('level 2: voronoi:9'), titles)
+        self.succeed('layout', self.model, '-o', look, '--lines', halves, '--projection',
+                     'planar:z')
+        self.assertIn('level 1: halves.svg', look.read_text())
+
+    def test_what_cannot_be_shown_is_refused_and_nothing_written(self):
+        look = self.dir / 'look.svg'
+        self.refuse(['layout', self.model, '-o', look, '--lines', self.dir / 'no.svg'],
+                    'FileNotFound', ['no.svg'])
+        self.refuse(['layout', self.model, '-o', look, '--pattern', 'bubbles:3'], 'BadArgument',
+                    ['bubbles'])
+        halves = self.write('halves.svg', inputs.halves_svg())
+        self.refuse(['layout', self.model, '-o', look, '--lines', halves, '--projection', 'odd'],
+                    'BadArgument', ['odd'])
+        for source in (halves, self.model):
+            self.refuse(['layout', self.model, '-o', source, '--force', '--lines', halves],
+                        'BadArgument', ['overwrite'])
+
+    def test_chart_borders_are_numbered_in_pairs(self):
+        self.assertIn('seam numbers', self.layout().stdout)
+        guide = self.guides(self.template)['sherd guide']
+        numbers = [t.text for t in guide.findall('.//{*}text')]
+        self.assertGreater(len(numbers), 8)
+        self.assertTrue(all(numbers.count(n) == 2 for n in numbers), numbers)
+        self.layout('--no-seam-labels')
+        self.assertNotIn(b'<text', self.template.read_bytes())
+
     def test_a_model_without_texture_coordinates_has_no_layout(self):
         bare = self.write('bare.glb', inputs.model_glb(texcoords=False))
         self.refuse(['layout', bare, '-o', self.dir / 'x.svg'], 'NoTextureCoordinates',

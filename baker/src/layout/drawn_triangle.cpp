@@ -35,4 +35,39 @@ DrawnTriangle drawnTriangle(const std::array<glm::vec2, 3>& uv, const TexturePla
     return out;
 }
 
+DrawnMesh::DrawnMesh(const SurfaceMesh& mesh)
+    : mesh_(mesh),
+      uv_(mesh.uvSemantic.empty() ? nullptr : findAttribute(mesh.attributes, mesh.uvSemantic)) {}
+
+DrawnTriangle DrawnMesh::operator[](size_t triangle) const {
+    return drawnTriangle(corners(triangle), placement(triangle));
+}
+
+std::array<glm::dvec2, 3> DrawnMesh::placed(size_t triangle) const {
+    const std::array<glm::vec2, 3> at = corners(triangle);
+    const glm::dmat3 transform = placement(triangle).transform;
+    std::array<glm::dvec2, 3> out{};
+    for (size_t k = 0; k < 3; ++k)
+        out[k] = glm::dvec2(transform * glm::dvec3(glm::dvec2(at[k]), 1.0));
+    return out;
+}
+
+std::array<glm::vec2, 3> DrawnMesh::corners(size_t triangle) const {
+    std::array<glm::vec2, 3> out{};
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t at = size_t{2} * mesh_.corners[triangle][k];
+        // Adding zero makes a negative zero positive: they are one point.
+        out[k] = at + 1 < uv_->values.size()
+                     ? glm::vec2(uv_->values[at] + 0.0F, uv_->values[at + 1] + 0.0F)
+                     : glm::vec2(NAN);
+    }
+    return out;
+}
+
+TexturePlacement DrawnMesh::placement(size_t triangle) const {
+    const uint32_t slot =
+        triangle < mesh_.triangleMaterials.size() ? mesh_.triangleMaterials[triangle] : 0;
+    return slot < mesh_.placements.size() ? mesh_.placements[slot] : TexturePlacement();
+}
+
 }  // namespace sherd

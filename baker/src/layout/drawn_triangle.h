@@ -24,4 +24,24 @@ struct DrawnTriangle {
 /// lie on the picture as they are keep their bits.
 DrawnTriangle drawnTriangle(const std::array<glm::vec2, 3>& uv, const TexturePlacement& placement);
 
+/// The triangles of a mesh as they are drawn.
+class DrawnMesh {
+  public:
+    explicit DrawnMesh(const SurfaceMesh& mesh);
+
+    /// Zero for a mesh without texture coordinates.
+    size_t size() const { return uv_ == nullptr ? 0 : mesh_.corners.size(); }
+    /// With points that are no numbers where the mesh has such.
+    DrawnTriangle operator[](size_t triangle) const;
+    /// The corners in the frame lines are cut in: as the texture of their material lies there.
+    std::array<glm::dvec2, 3> placed(size_t triangle) const;
+
+  private:
+    std::array<glm::vec2, 3> corners(size_t triangle) const;
+    TexturePlacement placement(size_t triangle) const;
+
+    const SurfaceMesh& mesh_;
+    const Attribute* uv_;
+};
+
 }  // namespace sherd

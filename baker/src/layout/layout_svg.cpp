@@ -3,8 +3,10 @@
 // attribute, layer name, ids), because editors rewrite files: any one of them keeps the map reader
 // from taking it for cracks.
 #include <array>
-#include <charconv>
 
+#include "layout/overlay_svg.h"
+#include "layout/seam_labels.h"
+#include "layout/svg_text.h"
 #include "layout/uv_wireframe.h"
 #include "sherd/baker/layout.h"
 
@@ -17,48 +19,13 @@ constexpr size_t kMaxInnerEdges = 500'000;
 /// The drawing must stay readable as a map (64 MiB) with room for lines.
 constexpr size_t kMaxTextureBytes = size_t{40} << 20;
 
-void addNumber(double value, std::string& out) {
-    std::array<char, 32> buffer{};
-    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                            std::chars_format::fixed, 2);
-    if (error != std::errc()) return;  // a UV beyond 1e20 is no place on the page
-    out.append(buffer.data(), end);
-}
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    out.reserve(text.size());
-    for (const char c : text) switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                if (static_cast<unsigned char>(c) >= 0x20) out += c;
-        }
-    return out;
-}
-
 std::string pathData(const UvWireframe& wireframe, std::span<const std::array<uint32_t, 2>> edges,
                      double size) {
     std::string d;
     for (const std::vector<uint32_t>& chain : chainEdges(wireframe.points.size(), edges)) {
-        char separator = 'M';
-        for (const uint32_t p : chain) {
-            d += separator;
-            addNumber(wireframe.points[p].x * size, d);
-            d += ' ';
-            addNumber(wireframe.points[p].y * size, d);
-            separator = ' ';
-        }
+        std::vector<glm::dvec2> points;
+        for (const uint32_t p : chain) points.emplace_back(wireframe.points[p]);
+        addChain(points, size, d);
     }
     return d;
 }
@@ -86,11 +53,32 @@ std::string wires(const char* id, const char* style, const std::string& d) {
     return std::string("    <path id=\"") + id + "\" style=\"" + style + "\" d=\"" + d + "\"/>\n";
 }
 
-std::string guideLayer(const UvWireframe& wireframe, const LayoutOptions& options,
-                       const std::string& size, Layout& layout) {
-    std::string out =
-        "  <g id=\"sherd-guide\" data-sherd-guide=\"true\" inkscape:groupmode=\"layer\"\n"
-        "     inkscape:label=\"sherd guide\" sodipodi:insensitive=\"true\">\n";
+/// The same number on both charts, a little inside of their borders.
+std::string seamNumbers(std::span<const SeamLabel> labels, double resolution, size_t& shown) {
+    constexpr size_t kMost = 999;
+    const double height = resolution / 110;
+    std::string out;
+    for (const SeamLabel& label : labels) {
+        // Numbers on shorter stretches would lie on top of each other.
+        if (shown == kMost || label.length * resolution < 2 * height) break;
+        const std::string number = std::to_string(++shown);
+        for (size_t side = 0; side < 2; ++side) {
+            const glm::dvec2 at = label.at[side] * resolution + label.inward[side] * height;
+            out.append("      <text id=\"sherd-guide-seam-").append(number);
+            out.append(side == 0 ? "a" : "b").append("\" x=\"").append(svgNumber(at.x));
+            out.append("\" y=\"").append(svgNumber(at.y + 0.35 * height)).append("\">");
+            out.append(number).append("</text>\n");
+        }
+    }
+    if (out.empty()) return {};
+    return "    <g id=\"sherd-guide-seams\" style=\"font-family:sans-serif;font-size:" +
+           svgNumber(height) + "px;text-anchor:middle;fill:#a05a00;stroke:#ffffff;stroke-width:" +
+           svgNumber(0.25 * height) + ";paint-order:stroke\">\n" + out + "    </g>\n";
+}
+
+std::string wireframeLayer(const UvWireframe& wireframe, std::span<const SeamLabel> seams,
+                           const LayoutOptions& options, const std::string& size, Layout& layout) {
+    std::string out;
     if (options.texture.size() > kMaxTextureBytes)
         layout.warnings.emplace_back("the texture is larger than 40 MiB and left out");
     else if (!options.texture.empty())
@@ -107,7 +95,8 @@ std::string guideLayer(const UvWireframe& wireframe, const LayoutOptions& option
     }
     out += wires("sherd-guide-borders", "fill:none;stroke:#e08a00;stroke-width:1.5",
                  pathData(wireframe, wireframe.borders, options.resolution));
-    return out + "  </g>\n";
+    out += seamNumbers(seams, options.resolution, layout.seamLabels);
+    return guideLayer("sherd-guide", "sherd guide", out);
 }
 
 std::string levelLayers() {
@@ -159,8 +148,11 @@ Result<Layout> makeLayoutSvg(std::span<const SurfaceMesh> meshes, const LayoutOp
     const UvWireframe wireframe = uvWireframe(meshes);
     reportTiles(wireframe, layout);
     const std::string size = std::to_string(options.resolution);
-    layout.svg =
-        head(size) + guideLayer(wireframe, options, size, layout) + levelLayers() + "</svg>\n";
+    const std::vector<SeamLabel> seams =
+        options.seamLabels ? seamLabels(meshes) : std::vector<SeamLabel>();
+    layout.svg = head(size) + wireframeLayer(wireframe, seams, options, size, layout) +
+                 overlayLayers(options.overlays, meshes, options.resolution, layout.spots) +
+                 levelLayers() + "</svg>\n";
     return layout;
 }
 

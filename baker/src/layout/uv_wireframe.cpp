@@ -26,32 +26,6 @@ struct PointLess {
     }
 };
 
-glm::vec2 uvOf(const Attribute& uv, uint32_t vertex) {
-    const size_t at = size_t{2} * vertex;
-    if (at + 1 >= uv.values.size()) return glm::vec2(NAN);
-    // Adding zero makes a negative zero positive: they are one point.
-    return {uv.values[at] + 0.0F, uv.values[at + 1] + 0.0F};
-}
-
-const Attribute* uvAttribute(const SurfaceMesh& mesh) {
-    return mesh.uvSemantic.empty() ? nullptr : findAttribute(mesh.attributes, mesh.uvSemantic);
-}
-
-/// The mesh's triangles as they are drawn, those with points that are no numbers as they are.
-template <class Visit>
-void forEachDrawn(const SurfaceMesh& mesh, Visit visit) {
-    const Attribute* uv = uvAttribute(mesh);
-    if (uv == nullptr) return;
-    for (size_t t = 0; t < mesh.corners.size(); ++t) {
-        std::array<glm::vec2, 3> at{};
-        for (size_t k = 0; k < 3; ++k) at[k] = uvOf(*uv, mesh.corners[t][k]);
-        const uint32_t slot = t < mesh.triangleMaterials.size() ? mesh.triangleMaterials[t] : 0;
-        const DrawnTriangle drawn = drawnTriangle(
-            at, slot < mesh.placements.size() ? mesh.placements[slot] : TexturePlacement());
-        visit(t, drawn);
-    }
-}
-
 bool isFinite(glm::vec2 p) {
     return std::isfinite(p.x) && std::isfinite(p.y);
 }
@@ -59,10 +33,10 @@ bool isFinite(glm::vec2 p) {
 std::vector<glm::vec2> distinctPoints(std::span<const SurfaceMesh> meshes) {
     std::vector<glm::vec2> points;
     for (const SurfaceMesh& mesh : meshes) {
-        forEachDrawn(mesh, [&](size_t, const DrawnTriangle& drawn) {
-            for (const glm::vec2 p : drawn.points)
+        const DrawnMesh drawn(mesh);
+        for (size_t t = 0; t < drawn.size(); ++t)
+            for (const glm::vec2 p : drawn[t].points)
                 if (isFinite(p)) points.push_back(p);
-        });
     }
     std::sort(points.begin(), points.end(), PointLess());
     points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -72,12 +46,14 @@ std::vector<glm::vec2> distinctPoints(std::span<const SurfaceMesh> meshes) {
 void addSides(const SurfaceMesh& mesh, uint64_t meshIndex, UvWireframe& wireframe,
               std::vector<Side>& sides) {
     const std::vector<glm::vec2>& points = wireframe.points;
-    forEachDrawn(mesh, [&](size_t t, const DrawnTriangle& drawn) {
+    const DrawnMesh triangles(mesh);
+    for (size_t t = 0; t < triangles.size(); ++t) {
+        const DrawnTriangle drawn = triangles[t];
+        if (!std::all_of(drawn.points.begin(), drawn.points.end(), isFinite)) continue;
         std::array<uint32_t, 3> at{};
         for (size_t k = 0; k < 3; ++k) {
-            const glm::vec2 p = drawn.points[k];
-            if (!isFinite(p)) return;
-            const auto found = std::lower_bound(points.begin(), points.end(), p, PointLess());
+            const auto found =
+                std::lower_bound(points.begin(), points.end(), drawn.points[k], PointLess());
             at[k] = static_cast<uint32_t>(found - points.begin());
         }
         wireframe.fromOtherTiles += drawn.where == DrawnWhere::anotherTile ? 1 : 0;
@@ -94,7 +70,7 @@ void addSides(const SurfaceMesh& mesh, uint64_t meshIndex, UvWireframe& wirefram
             }
             sides.push_back(side);
         }
-    });
+    }
 }
 
 }  // namespace
