@@ -43,8 +43,8 @@ void addLineOptions(CLI::App& command, LevelArguments& arguments) {
                        "says), none, repeat, mirror or clamp");
     command
         .add_option("--close-gaps", arguments.closeGaps,
-                    "Lead dangling line ends on to the nearest line within this distance, in UV "
-                    "units")
+                    "Lead dangling line ends on to the nearest line within this distance: UV units "
+                    "in drawings, shares of the diagonal for lines over the surface")
         ->check(inRange(0.0, 1.0));
     command
         .add_option(
@@ -179,7 +179,14 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
     for (const RecipeLevel& level : recipe.levels) {
         FracturePlan& plan = levels.emplace_back();
         if (level.pattern) {
-            plan.patterns.push_back({*level.pattern, 1});
+            FracturePlan::Grown& grown = plan.patterns.emplace_back();
+            grown.pattern = *level.pattern;
+            const std::string& density = grown.pattern.density;
+            if (!density.empty() && density != "color") {
+                Result<GreyImage> picture = readGreyImage(density);
+                if (!picture) return tl::unexpected(picture.error());
+                grown.density = std::make_shared<GreyImage>(std::move(*picture));
+            }
             continue;
         }
         MapReadOptions options;

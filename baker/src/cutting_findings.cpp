@@ -158,7 +158,7 @@ void reportCutting(const SurfaceMesh& mesh, const CutSurface& cut, const Compone
         report.findings.push_back({"averaged", "pairs of line ends at seams were moved together",
                                    "", cut.seams.averaged});
     }
-    std::vector<BakePlace> closed;
+    std::vector<BakePlace> closed = cut.closedGaps3d;
     for (const ClosedGap& gap : cut.closedGaps)
         closed.push_back({std::nullopt, gap.from, text("to UV (%.5g, %.5g)", gap.to.x, gap.to.y)});
     add(report, "closed-gaps", "dangling line ends were led on to a line", std::move(closed));

@@ -253,8 +253,12 @@ Result<Recipe> readRecipe(const std::filesystem::path& path) {
     if (!in) return fail(ErrorCode::fileRead, "the recipe cannot be read", path.string());
     Result<Recipe> recipe = parseRecipe(content.str(), path.string());
     if (recipe) {
-        for (RecipeLevel& level : recipe->levels)
+        for (RecipeLevel& level : recipe->levels) {
             if (!level.map.empty()) level.map = path.parent_path() / level.map;
+            if (!level.pattern || level.pattern->density.empty()) continue;
+            std::string& density = level.pattern->density;
+            if (density != "color") density = (path.parent_path() / density).string();
+        }
     }
     return recipe;
 }

@@ -23,7 +23,8 @@ namespace sherd {
 
 struct CutOptions {
     SeamOptions seams;
-    double closeGaps = 0;         ///< dangling ends of drawings reach so far for a line; UV units
+    double closeGaps = 0;  ///< dangling ends reach so far for a line: UV units in drawings, shares
+                           ///< of the diagonal on the surface
     double snapDistance = 1e300;  ///< places in 3D farther from the surface are refused; metres
     PageWrap wrap = PageWrap::texture;
     bool splitPatches = false;
@@ -40,7 +41,8 @@ struct CutSurface {
     std::vector<BakePlace> offSurface;  ///< places too far from the surface, or outside every chart
     std::vector<BakePlace> gaps;        ///< where no way leads on over the surface
     std::vector<BakePlace> alongEdges;  ///< where the way on follows the mesh's edges
-    std::vector<ClosedGap> closedGaps;
+    std::vector<ClosedGap> closedGaps;  ///< of drawings
+    std::vector<BakePlace> closedGaps3d;  ///< of lines over the surface: ends that were led on
     std::vector<BakePlace> offCharts;  ///< lines that touch no chart: where one begins, in UV only
     std::vector<std::string> warnings;
 

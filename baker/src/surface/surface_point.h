@@ -33,9 +33,10 @@ class PlaceFinder {
     /// Nothing for a UV place outside every chart.
     std::optional<SurfacePoint> find(const SurfacePlace& place) const;
 
-  private:
+    /// The point of the surface nearest to a position in the object's frame.
     std::optional<SurfacePoint> nearest(const glm::dvec3& position) const;
 
+  private:
     const SurfaceMesh& mesh_;
     const SplitSurface& surface_;
     std::span<const uint8_t> skip_;

@@ -63,7 +63,8 @@ struct Recipe {
     double seamJoinShare =
         0.005;  ///< ends nearer than this share of the diagonal are joined across a seam
     double minimumComponentShare = 1e-5;  ///< of the surface: smaller components join a neighbour
-    double closeGaps = 0;     ///< dangling line ends reach so far for the nearest line, UV units
+    double closeGaps = 0;     ///< dangling line ends reach so far for the nearest line: UV
+                              ///< units in drawings, shares of the diagonal over the surface
     double snapShare = 0.05;  ///< lines in 3D farther than this share of the diagonal from the
                               ///< surface are left out
     PageWrap wrap = PageWrap::texture;  ///< lines outside [0, 1] of the UV set
