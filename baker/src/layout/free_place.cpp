@@ -42,7 +42,9 @@ class PageCover {
     }
 
   private:
-    static size_t index(int x, int y) { return static_cast<size_t>(y * (kCells + 1) + x); }
+    static size_t index(int x, int y) {
+        return static_cast<size_t>(y) * (kCells + 1) + static_cast<size_t>(x);
+    }
 
     /// The cells of the page between numbers that may lie anywhere; none for no numbers.
     static std::pair<int, int> range(double a, double b, double c) {

@@ -24,6 +24,7 @@ std::string pathData(const UvWireframe& wireframe, std::span<const std::array<ui
     std::string d;
     for (const std::vector<uint32_t>& chain : chainEdges(wireframe.points.size(), edges)) {
         std::vector<glm::dvec2> points;
+        points.reserve(chain.size());
         for (const uint32_t p : chain) points.emplace_back(wireframe.points[p]);
         addChain(points, size, d);
     }

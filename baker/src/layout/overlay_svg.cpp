@@ -94,11 +94,9 @@ std::string linePath(const OverlayLine::Chains& chains, const std::string& style
 }
 
 std::string lineStyle(uint32_t level, double unit, bool parting) {
-    const std::string colour = levelColour(level);
-    if (parting) return "stroke:" + colour + ";stroke-width:" + svgNumber(0.2 * unit);
-    return "stroke:" + colour + ";stroke-width:" + svgNumber(0.2 * unit) +
-           ";stroke-dasharray:" + svgNumber(0.6 * unit) + " " + svgNumber(0.6 * unit) +
-           ";stroke-opacity:0.8";
+    const std::string style =
+        std::string("stroke:") + levelColour(level) + ";stroke-width:" + svgNumber(0.2 * unit);
+    return parting ? style : style + ";stroke-dasharray:" + svgNumber(0.6 * unit);
 }
 
 std::string lineLayer(std::span<const LayoutOverlay> overlays, double size, double unit) {
@@ -155,6 +153,7 @@ std::vector<LegendRow> legendRows(std::span<const LayoutOverlay> overlays,
             idle = idle || !line.idle.empty();
         }
     std::vector<LegendRow> rows;
+    rows.reserve(levels.size() + 1 + kSpotKinds.size());
     for (const uint32_t level : levels)
         rows.push_back({"level " + std::to_string(level), levelColour(level), true, true});
     if (idle) rows.push_back({"one piece on both sides", "#404040", true, false});
