@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "bitmap_drawing.h"
@@ -120,14 +121,12 @@ TEST_CASE("flipped bytes give a map or an error") {
 }
 
 TEST_CASE("declared sizes beyond the limits are refused before anything is decoded") {
-    for (const auto& [width, height] : {std::pair(16385U, 1U),
-                                        {1U, 16385U},
-                                        {16384U, 16384U},
-                                        {0xffffffffU, 0xffffffffU},
-                                        {0x7fffffffU, 1U}}) {
-        CAPTURE(width);
-        CAPTURE(height);
-        CHECK(errorOf(pngBytes({width, height, 8, 0, {}, {}})) == ErrorCode::limitExceeded);
+    const glm::uvec2 sizes[] = {
+        {16385, 1}, {1, 16385}, {16384, 16384}, {0xffffffff, 0xffffffff}, {0x7fffffff, 1}};
+    for (const glm::uvec2 size : sizes) {
+        CAPTURE(size.x);
+        CAPTURE(size.y);
+        CHECK(errorOf(pngBytes({size.x, size.y, 8, 0, {}, {}})) == ErrorCode::limitExceeded);
     }
     CHECK(errorOf(pngBytes({0, 5, 8, 0, {}, {}})) == ErrorCode::malformed);
     CHECK(errorOf(pngBytes({5, 0, 8, 0, {}, {}})) == ErrorCode::malformed);
