@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <memory>
 
+#include "map/jpeg_check.h"
+
 namespace sherd::stb {
 
 // What the largest permitted picture needs at 16 bits and four channels, filter bytes included. A
@@ -55,18 +57,6 @@ uint32_t bigEndian(std::span<const uint8_t> bytes, size_t at) {
            uint32_t{bytes[at + 2]} << 8 | bytes[at + 3];
 }
 
-/// stb_image fills the rest of a cut-off JPEG with grey, which would be read as ink or as none. In
-/// the compressed data 0xff stands before 0x00 or a marker only, so the end marker is found by
-/// looking for it after the last scan.
-bool jpegIsWhole(std::span<const uint8_t> bytes) {
-    for (size_t i = bytes.size(); i-- > 1;) {
-        if (bytes[i - 1] != 0xff) continue;
-        if (bytes[i] == 0xd9) return true;
-        if (bytes[i] == 0xda) return false;
-    }
-    return false;
-}
-
 Error tooLarge(int64_t width, int64_t height, const std::string& name) {
     return {ErrorCode::limitExceeded,
             "the picture is " + std::to_string(width) + " x " + std::to_string(height) +
@@ -105,6 +95,9 @@ Result<void> checkHeader(std::span<const uint8_t> bytes, const std::string& name
         if (const Result<void> size = checkPngSize(bytes, name); !size) return size;
     } else if (!jpegIsWhole(bytes)) {
         return fail(ErrorCode::malformed, "the JPEG is cut off: it has no end; save it again",
+                    name);
+    } else if (!jpegTablesFit(bytes)) {
+        return fail(ErrorCode::malformed, "the JPEG's Huffman tables are damaged; save it again",
                     name);
     }
     int width = 0;

@@ -341,3 +341,41 @@ TEST_CASE("the same bytes give the same map") {
     REQUIRE(a->lines.size() == b->lines.size());
     for (size_t i = 0; i < a->lines.size(); ++i) CHECK(a->lines[i].points == b->lines[i].points);
 }
+
+// stb_image of 2022 writes past its tables for more than 256 codes (found by flipped bytes).
+TEST_CASE("a JPEG with too long Huffman tables is malformed, wherever they stand") {
+    const Drawing drawing = cross();
+    Random random(1);
+    const auto whole = greyJpeg(drawing, shades(coverage(drawing, {3}), 255, 0, 0, random), 90);
+    size_t tables = 0;
+    for (size_t i = 0; i + 21 < whole.size(); ++i) {
+        if (whole[i] != 0xff || whole[i + 1] != 0xc4) continue;
+        ++tables;
+        std::vector<uint8_t> bytes = whole;
+        bytes[i + 19] = bytes[i + 20] = 255;
+        CHECK(errorOf(bytes) == ErrorCode::malformed);
+    }
+    CHECK(tables > 0);
+    // After the scan, where a decoder that lost its place may find them.
+    std::vector<uint8_t> late(whole.begin(), whole.end() - 2);
+    late.insert(late.end(), {0xff, 0xc4, 0x01, 0x00, 0x00});
+    late.insert(late.end(), 16, 255);
+    late.insert(late.end(), {0xff, 0xd9});
+    CHECK(errorOf(late) == ErrorCode::malformed);
+}
+
+TEST_CASE("a JPEG without the tables it uses gives an error or the same map every time") {
+    const Drawing drawing = cross();
+    Random random(1);
+    const auto whole = greyJpeg(drawing, shades(coverage(drawing, {3}), 255, 0, 0, random), 90);
+    for (const uint8_t table : {0xc4, 0xdb}) {
+        std::vector<uint8_t> bytes = whole;
+        for (size_t i = 0; i + 1 < bytes.size(); ++i)
+            if (bytes[i] == 0xff && bytes[i + 1] == table) bytes[i + 1] = 0xfe;  // a comment
+        const Result<FractureMap> first = read(bytes);
+        const Result<FractureMap> second = read(bytes);
+        REQUIRE(first.has_value() == second.has_value());
+        if (first) CHECK(first->lines.size() == second->lines.size());
+        if (!first) CHECK(first.error().message == second.error().message);
+    }
+}
