@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 
 #include "map/jpeg_check.h"
@@ -14,17 +15,22 @@ namespace sherd::stb {
 // PNG whose data inflate to more than that lies about its size.
 constexpr size_t kMaxBlock = static_cast<size_t>(kMaxBitmapTexels) * 8 + (size_t{1} << 20);
 
+// Zeroed: damaged files make stb_image read what it never wrote, and must give the same every time.
 static void* allocate(size_t size) {
-    return size > kMaxBlock ? nullptr : std::malloc(size);
+    return size > kMaxBlock ? nullptr : std::calloc(size, 1);
 }
-static void* reallocate(void* block, size_t size) {
-    return size > kMaxBlock ? nullptr : std::realloc(block, size);
+static void* reallocate(void* block, size_t before, size_t size) {
+    void* larger = size > kMaxBlock ? nullptr : std::realloc(block, size);
+    if (larger != nullptr && size > before)
+        std::memset(static_cast<char*>(larger) + before, 0, size - before);
+    return larger;
 }
 
 }  // namespace sherd::stb
 
 #define STBI_MALLOC(size) sherd::stb::allocate(size)
-#define STBI_REALLOC(block, size) sherd::stb::reallocate(block, size)
+#define STBI_REALLOC_SIZED(block, before, size) \
+    sherd::stb::reallocate(block, (block) == nullptr ? 0 : (before), size)
 #define STBI_FREE(block) std::free(block)
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
