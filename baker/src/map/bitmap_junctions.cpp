@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "map/line_fit.h"
 
@@ -211,18 +210,23 @@ bool isCornerTip(const CentreGraph& graph, uint32_t node, uint32_t id, double sp
     return length + end.radius < corner + tip + spur;
 }
 
-}  // namespace
+/// Two junctions that were placed, each by its own lines, where the other is.
+bool isDoubled(const CentreGraph& graph, const CentreLine& line) {
+    if (line.dead || !graph.hasTwoEnds(line)) return false;
+    if (graph.degree(line.from) < 3 || graph.degree(line.to) < 3) return false;
+    const CentreNode& a = graph.nodes[line.from];
+    const CentreNode& b = graph.nodes[line.to];
+    const double radius = std::max(a.radius, b.radius);
+    return glm::distance(a.at, b.at) <= kOnePlace + 0.25 * radius &&
+           lengthOf(line) <= 4 * radius + kUnclearSlack;
+}
 
-void mergeJunctions(CentreGraph& graph) {
-    std::vector<uint32_t> into(graph.nodes.size());
-    std::iota(into.begin(), into.end(), 0U);
-    std::vector<uint32_t> torn;
-    for (uint32_t i = 0; i < graph.lines.size(); ++i)
-        if (isTorn(graph, i)) torn.push_back(i);
+/// Makes one node, in the middle, of the two ends of every line given; the lines go.
+void contract(CentreGraph& graph, const std::vector<uint32_t>& lines) {
     std::vector<glm::dvec2> sum(graph.nodes.size());
     std::vector<double> count(graph.nodes.size(), 1);
     for (size_t i = 0; i < sum.size(); ++i) sum[i] = graph.nodes[i].at;
-    for (const uint32_t id : torn) {
+    for (const uint32_t id : lines) {
         uint32_t a = graph.lines[id].from;
         uint32_t b = graph.lines[id].to;
         removeLine(graph, id);
@@ -233,6 +237,27 @@ void mergeJunctions(CentreGraph& graph) {
         count[a] += count[b];
         graph.nodes[a].at = sum[a] / count[a];
     }
+}
+
+void mergeDoubled(CentreGraph& graph) {
+    std::vector<uint32_t> doubled;
+    for (uint32_t i = 0; i < graph.lines.size(); ++i)
+        if (isDoubled(graph, graph.lines[i])) doubled.push_back(i);
+    contract(graph, doubled);
+    for (CentreLine& line : graph.lines) {
+        if (line.dead || line.closed()) continue;
+        line.points.front().at = graph.nodes[line.from].at;
+        line.points.back().at = graph.nodes[line.to].at;
+    }
+}
+
+}  // namespace
+
+void mergeJunctions(CentreGraph& graph) {
+    std::vector<uint32_t> torn;
+    for (uint32_t i = 0; i < graph.lines.size(); ++i)
+        if (isTorn(graph, i)) torn.push_back(i);
+    contract(graph, torn);
     for (uint32_t i = 0; i < graph.nodes.size(); ++i) dissolve(graph, i);
 }
 
@@ -255,6 +280,7 @@ void removeCornerTips(CentreGraph& graph, double spur) {
 void placeJunctions(CentreGraph& graph) {
     for (uint32_t i = 0; i < graph.nodes.size(); ++i)
         if (graph.degree(i) >= 3) placeJunction(graph, i);
+    mergeDoubled(graph);
 }
 
 }  // namespace sherd

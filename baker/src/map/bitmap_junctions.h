@@ -15,7 +15,8 @@ void mergeJunctions(CentreGraph& graph);
 void removeCornerTips(CentreGraph& graph, double spur);
 
 /// Puts every junction where the lines that meet there point to, and runs them straight into it:
-/// within the ink they share, centre lines keep to the middle of all of it.
+/// within the ink they share, centre lines keep to the middle of all of it. Junctions that end up
+/// in one place become one.
 void placeJunctions(CentreGraph& graph);
 
 /// Puts corners of lines where their two sides point to, likewise; returns their indices among the

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
+
+#include "map/jpeg_check.h"
 
 namespace sherd::stb {
 
@@ -12,17 +15,22 @@ namespace sherd::stb {
 // PNG whose data inflate to more than that lies about its size.
 constexpr size_t kMaxBlock = static_cast<size_t>(kMaxBitmapTexels) * 8 + (size_t{1} << 20);
 
+// Zeroed: damaged files make stb_image read what it never wrote, and must give the same every time.
 static void* allocate(size_t size) {
-    return size > kMaxBlock ? nullptr : std::malloc(size);
+    return size > kMaxBlock ? nullptr : std::calloc(size, 1);
 }
-static void* reallocate(void* block, size_t size) {
-    return size > kMaxBlock ? nullptr : std::realloc(block, size);
+static void* reallocate(void* block, size_t before, size_t size) {
+    void* larger = size > kMaxBlock ? nullptr : std::realloc(block, size);
+    if (larger != nullptr && size > before)
+        std::memset(static_cast<char*>(larger) + before, 0, size - before);
+    return larger;
 }
 
 }  // namespace sherd::stb
 
 #define STBI_MALLOC(size) sherd::stb::allocate(size)
-#define STBI_REALLOC(block, size) sherd::stb::reallocate(block, size)
+#define STBI_REALLOC_SIZED(block, before, size) \
+    sherd::stb::reallocate(block, (block) == nullptr ? 0 : (before), size)
 #define STBI_FREE(block) std::free(block)
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
@@ -53,18 +61,6 @@ bool startsWith(std::span<const uint8_t> bytes, const std::array<uint8_t, n>& st
 uint32_t bigEndian(std::span<const uint8_t> bytes, size_t at) {
     return uint32_t{bytes[at]} << 24 | uint32_t{bytes[at + 1]} << 16 |
            uint32_t{bytes[at + 2]} << 8 | bytes[at + 3];
-}
-
-/// stb_image fills the rest of a cut-off JPEG with grey, which would be read as ink or as none. In
-/// the compressed data 0xff stands before 0x00 or a marker only, so the end marker is found by
-/// looking for it after the last scan.
-bool jpegIsWhole(std::span<const uint8_t> bytes) {
-    for (size_t i = bytes.size(); i-- > 1;) {
-        if (bytes[i - 1] != 0xff) continue;
-        if (bytes[i] == 0xd9) return true;
-        if (bytes[i] == 0xda) return false;
-    }
-    return false;
 }
 
 Error tooLarge(int64_t width, int64_t height, const std::string& name) {
@@ -105,6 +101,9 @@ Result<void> checkHeader(std::span<const uint8_t> bytes, const std::string& name
         if (const Result<void> size = checkPngSize(bytes, name); !size) return size;
     } else if (!jpegIsWhole(bytes)) {
         return fail(ErrorCode::malformed, "the JPEG is cut off: it has no end; save it again",
+                    name);
+    } else if (!jpegTablesFit(bytes)) {
+        return fail(ErrorCode::malformed, "the JPEG's Huffman tables are damaged; save it again",
                     name);
     }
     int width = 0;

@@ -83,7 +83,8 @@ double InkField::at(glm::dvec2 p) const {
 std::optional<double> InkField::edge(glm::dvec2 p, glm::dvec2 unit, double reach) const {
     double before = at(p);
     if (before <= 0) return 0;
-    for (double distance = kStep; distance <= reach + kStep; distance += kStep) {
+    for (int k = 1; kStep * (k - 1) <= reach; ++k) {
+        const double distance = kStep * k;
         const glm::dvec2 next = p + distance * unit;
         if (!isInside(next)) return std::nullopt;
         const double value = at(next);
