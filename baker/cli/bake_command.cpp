@@ -21,12 +21,23 @@ namespace {
 
 struct BakeArguments {
     std::filesystem::path model, output, recipe, report;
-    std::vector<std::filesystem::path> maps;
+    std::vector<std::string> maps, patterns;
+    std::vector<RecipeLevel> levels;  ///< maps and patterns in the order they were named
+    std::string projection = "uv";
+    std::string wrap;
+    std::vector<std::string> levelColors;
     ImportOptions import;
     std::string interior = "medial";
     std::optional<double> density;
     std::optional<double> curveTolerance;
     std::optional<double> seamJoinShare;
+    std::optional<double> closeGaps;
+    std::optional<double> minimumComponentShare;
+    std::optional<double> snapShare;
+    std::optional<double> bitmapThreshold, bitmapTolerance, bitmapSpur;
+    bool bitmapCurves = false;
+    bool noModelLines = false;
+    bool splitParts = false;
     std::optional<unsigned> threads;
     bool thesis = false;
     bool allowOpen = false;
@@ -56,6 +67,29 @@ class ProgressLine {
     std::mutex mutex_;
 };
 
+/// What options say in words of their own.
+Result<void> readTexts(const BakeArguments& arguments, Recipe& recipe) {
+    const Result<Projection> projection = parseProjection(arguments.projection);
+    if (!projection) return tl::unexpected(projection.error());
+    if (arguments.recipe.empty())
+        for (RecipeLevel& level : recipe.levels) level.projection = *projection;
+    for (const std::string& text : arguments.levelColors) {
+        const size_t equals = text.rfind('=');
+        uint32_t level = 0;
+        if (equals == std::string::npos ||
+            !CLI::detail::lexical_cast(text.substr(equals + 1), level) || level < 1 || level > 64)
+            return fail(ErrorCode::badArgument,
+                        "\"" + text + "\" is not COLOR=LEVEL, like \"#ff0000=2\" or red=2",
+                        "--level-color");
+        recipe.levelOfColor.emplace_back(text.substr(0, equals), level);
+    }
+    if (arguments.wrap.empty()) return {};
+    const Result<PageWrap> wrap = parsePageWrap(arguments.wrap);
+    if (!wrap) return tl::unexpected(wrap.error());
+    recipe.wrap = *wrap;
+    return {};
+}
+
 Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
     Recipe recipe;
     if (!arguments.recipe.empty()) {
@@ -64,19 +98,27 @@ Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
         recipe = std::move(*read);
     }
     if (recipe.levels.empty()) {
-        for (const auto& map : arguments.maps) recipe.levels.push_back({map, ""});
-    } else if (!arguments.maps.empty()) {
+        recipe.levels = arguments.levels;
+    } else if (!arguments.levels.empty()) {
         std::fprintf(stderr,
-                     "sherd-bake: the recipe names its own maps; those of --map are left out\n");
+                     "sherd-bake: the recipe names its own levels; those of --map and --pattern "
+                     "are left out\n");
     }
-    if (recipe.levels.empty()) {
-        return fail(ErrorCode::badArgument,
-                    "there is nothing to cut along: name at least one fracture map with --map, or "
-                    "a recipe with levels");
-    }
+    if (const Result<void> read = readTexts(arguments, recipe); !read)
+        return tl::unexpected(read.error());
     if (arguments.density) recipe.physics.density = *arguments.density;
     if (arguments.curveTolerance) recipe.curveTolerance = *arguments.curveTolerance;
     if (arguments.seamJoinShare) recipe.seamJoinShare = *arguments.seamJoinShare;
+    if (arguments.closeGaps) recipe.closeGaps = *arguments.closeGaps;
+    if (arguments.minimumComponentShare)
+        recipe.minimumComponentShare = *arguments.minimumComponentShare;
+    if (arguments.snapShare) recipe.snapShare = *arguments.snapShare;
+    if (arguments.bitmapThreshold) recipe.bitmap.threshold = *arguments.bitmapThreshold;
+    if (arguments.bitmapTolerance) recipe.bitmap.tolerance = *arguments.bitmapTolerance;
+    if (arguments.bitmapSpur) recipe.bitmap.spur = *arguments.bitmapSpur;
+    recipe.bitmap.curves = recipe.bitmap.curves || arguments.bitmapCurves;
+    recipe.modelLines = recipe.modelLines && !arguments.noModelLines;
+    recipe.splitParts = recipe.splitParts || arguments.splitParts;
     if (arguments.threads) recipe.threads = *arguments.threads;
     recipe.interior.thesis = recipe.interior.thesis || arguments.thesis;
     recipe.allowOpen = recipe.allowOpen || arguments.allowOpen;
@@ -86,11 +128,18 @@ Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
 Result<FracturePlan> readPlan(const Recipe& recipe) {
     std::vector<FracturePlan> levels;
     for (const RecipeLevel& level : recipe.levels) {
+        FracturePlan& plan = levels.emplace_back();
+        if (level.pattern) {
+            plan.patterns.push_back({*level.pattern, 1});
+            continue;
+        }
         MapReadOptions options;
         options.tolerance = recipe.curveTolerance;
+        options.levelOfColor = recipe.levelOfColor;
+        options.bitmap = recipe.bitmap;
         Result<FractureMap> map = readFractureMap(level.map, options);
         if (!map) return tl::unexpected(map.error());
-        levels.emplace_back().drawings.push_back({std::move(*map), {}});
+        plan.drawings.push_back({std::move(*map), level.projection});
     }
     return stackLevels(std::move(levels));
 }
@@ -171,7 +220,8 @@ class ReportFile {
 /// said at its start. The model itself may be the output: its document is kept.
 Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) {
     std::vector<std::filesystem::path> inputs = {arguments.recipe};
-    for (const RecipeLevel& level : recipe.levels) inputs.push_back(level.map);
+    for (const RecipeLevel& level : recipe.levels)
+        if (!level.map.empty()) inputs.push_back(level.map);
     for (const std::filesystem::path* output : {&arguments.output, &arguments.report}) {
         if (output->empty()) continue;
         for (const auto& input : inputs) {
@@ -201,14 +251,28 @@ Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) 
     return {};
 }
 
+/// Lines may also be modelled on the objects.
+Result<void> checkAnyLines(const Recipe& recipe, Model& model) {
+    bool modelled = false;
+    for (SurfaceMesh& mesh : model.meshes) {
+        if (!recipe.modelLines) mesh.lines.clear();
+        modelled = modelled || !mesh.lines.empty();
+    }
+    if (modelled || !recipe.levels.empty()) return {};
+    return fail(ErrorCode::badArgument,
+                "there is nothing to cut along: draw lines and name them with --map, take a "
+                "--pattern (voronoi:12), model lines on the object, or give a recipe with levels");
+}
+
 Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& progress) {
     const Result<Recipe> recipe = gatherRecipe(arguments);
     if (!recipe) return tl::unexpected(recipe.error());
     if (auto writable = checkOutputs(arguments, *recipe); !writable)
         return tl::unexpected(writable.error());
     progress("reading", 0);
-    const Result<Model> model = importModel(arguments.model, arguments.import);
+    Result<Model> model = importModel(arguments.model, arguments.import);
     if (!model) return tl::unexpected(model.error());
+    if (auto ok = checkAnyLines(*recipe, *model); !ok) return tl::unexpected(ok.error());
     const Result<FracturePlan> plan = readPlan(*recipe);
     if (!plan) return tl::unexpected(plan.error());
     Result<BakedFile> baked = bakeModel(*model, *plan, *recipe, progress);
@@ -252,6 +316,73 @@ int runBake(const BakeArguments& arguments) {
     return kExitOk;
 }
 
+/// Levels in the order in which --map and --pattern stand on the command line.
+Result<void> orderLevels(const CLI::App& command, const CLI::Option* map,
+                         const CLI::Option* pattern, BakeArguments& arguments) {
+    size_t maps = 0;
+    size_t patterns = 0;
+    for (const CLI::Option* option : command.parse_order()) {
+        if (option == map) {
+            arguments.levels.push_back({arguments.maps[maps++], "", {}, std::nullopt});
+        } else if (option == pattern) {
+            Result<Pattern> parsed = parsePattern(arguments.patterns[patterns++]);
+            if (!parsed) return tl::unexpected(parsed.error());
+            arguments.levels.push_back({{}, "", {}, std::move(*parsed)});
+        }
+    }
+    return {};
+}
+
+/// How lines are taken from their sources.
+void addLineOptions(CLI::App& command, BakeArguments& arguments) {
+    command
+        .add_option("--projection", arguments.projection,
+                    "How drawings lie on the object: uv, planar[:AXIS], cylindrical[:AXIS] or box")
+        ->capture_default_str();
+    command.add_option("--wrap", arguments.wrap,
+                       "Lines for texture coordinates outside [0, 1]: texture (as its sampler "
+                       "says), none, repeat, mirror or clamp");
+    command
+        .add_option("--close-gaps", arguments.closeGaps,
+                    "Lead dangling line ends on to the nearest line within this distance, in UV "
+                    "units")
+        ->check(inRange(0.0, 1.0));
+    command
+        .add_option(
+            "--min-component", arguments.minimumComponentShare,
+            "Components below this share of the surface join the neighbour with the longest "
+            "common border (default 1e-5)")
+        ->check(inRange(0.0, 0.5));
+    command
+        .add_option("--snap-distance", arguments.snapShare,
+                    "Places in 3D may be this share of the object's diagonal off the surface "
+                    "(default 0.05)")
+        ->check(inRange(0.0, 10.0));
+    command.add_flag("--no-model-lines", arguments.noModelLines,
+                     "Lines modelled on the object (LINES primitives, OBJ l) do not cut");
+    command.add_flag("--split-parts", arguments.splitParts,
+                     "Every patch of a pattern's cell is a piece of its own");
+    command
+        .add_option("--level-color", arguments.levelColors,
+                    "A stroke colour that chooses the level: COLOR=LEVEL; may be repeated")
+        ->allow_extra_args(false);
+    command
+        .add_option("--bitmap-threshold", arguments.bitmapThreshold,
+                    "What is darker than this is a line, 0 to 1 (default: found)")
+        ->check(inRange(0.0, 1.0));
+    command
+        .add_option("--bitmap-tolerance", arguments.bitmapTolerance,
+                    "Largest distance of a simplified line from the drawn one, texels (default "
+                    "0.5)")
+        ->check(inRange(0.0, 1000.0));
+    command
+        .add_option("--bitmap-spur", arguments.bitmapSpur,
+                    "Shorter dead branches are left out, texels (default 4)")
+        ->check(inRange(0.0, 1000.0));
+    command.add_flag("--bitmap-curves", arguments.bitmapCurves,
+                     "Fit curves through lines traced from a bitmap");
+}
+
 }  // namespace
 
 void addBakeCommand(CLI::App& app, int& exitCode) {
@@ -261,11 +392,21 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         "bake", "Cut a model along drawn lines, level by level, into closed fragments");
     command->add_option("MODEL", arguments->model, "The model: .glb, .gltf or .obj")->required();
     command->add_option("-o,--output", arguments->output, "The baked .glb to write")->required();
-    command
-        ->add_option("--map", arguments->maps,
-                     "A fracture map (.svg or .json); repeat it for each deeper level, coarse to "
-                     "fine. With one map its layers \"level 1..n\" choose the level")
-        ->allow_extra_args(false);
+    CLI::Option* map =
+        command
+            ->add_option("--map", arguments->maps,
+                         "A fracture map (.svg, .json, .png or .jpg); repeat it for each deeper "
+                         "level, coarse to fine. With one map its layers \"level 1..n\" choose the "
+                         "level")
+            ->allow_extra_args(false);
+    CLI::Option* pattern =
+        command
+            ->add_option(
+                "--pattern", arguments->patterns,
+                "A generated level: voronoi:N[:SEED], grid:NxM, radial:NxM or wood:N, with "
+                "options below; takes its place among --map as it stands")
+            ->allow_extra_args(false);
+    addLineOptions(*command, *arguments);
     command->add_option(
         "--recipe", arguments->recipe,
         "Levels and settings as JSON; its levels win over --map, other options win over it");
@@ -276,6 +417,8 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         ->allow_extra_args(false);
     command->add_option("--uv", arguments->import.uvSet, "The UV set the lines are drawn in")
         ->capture_default_str();
+    command->add_flag("--join", arguments->import.join,
+                      "Take the chosen nodes for parts of one object, named after the first");
     command->add_option("--interior", arguments->interior, "How pieces are closed inside")
         ->check(CLI::IsMember({"medial"}))
         ->capture_default_str();
@@ -294,7 +437,7 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
                      "(default 0.0001)")
         ->check(inRange(1e-7, 0.1));
     command
-        ->add_option("--seam-join", arguments->seamJoinShare,
+        ->add_option("--across-seams,--seam-join", arguments->seamJoinShare,
                      "Join line ends across a chart border that are nearer than this share of the "
                      "object's diagonal (default 0.005)")
         ->check(inRange(0.0, 0.1));
@@ -310,9 +453,18 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         "Examples:\n"
         "  sherd-bake bake vase.glb -o vase_baked.glb --map cracks.svg\n"
         "  sherd-bake bake vase.glb -o vase_baked.glb --map coarse.svg --map fine.svg\n"
+        "  sherd-bake bake vase.glb -o vase_baked.glb --pattern voronoi:12 --pattern "
+        "voronoi:50:7\n"
+        "  sherd-bake bake plank.glb -o plank_baked.glb --map cracks.png --projection planar:z\n"
         "  sherd-bake bake town.glb --node Wall -o town_baked.glb --recipe wall.json --report "
         "report.json");
-    command->callback([arguments, &exitCode] { exitCode = runBake(*arguments); });
+    command->callback([arguments, command, map, pattern, &exitCode] {
+        if (const auto ok = orderLevels(*command, map, pattern, *arguments); !ok) {
+            exitCode = printError(ok.error());
+            return;
+        }
+        exitCode = runBake(*arguments);
+    });
 }
 
 }  // namespace sherd::cli

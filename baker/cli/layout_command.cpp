@@ -85,6 +85,8 @@ void addLayoutCommand(CLI::App& app, int& exitCode) {
         ->allow_extra_args(false);
     command->add_option("--uv", arguments->import.uvSet, "The UV set to draw in")
         ->capture_default_str();
+    command->add_flag("--join", arguments->import.join,
+                      "Take the chosen nodes for parts of one object, named after the first");
     command
         ->add_option("--resolution", arguments->layout.resolution,
                      "Side of the drawing in user units, 16 to 65536")

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "assembly/geometry.h"
+#include "assembly/labels.h"
 #include "assembly/physics.h"
 #include "bake_findings.h"
 #include "geometry/closed_mesh.h"
@@ -15,6 +16,7 @@
 #include "interior/piece_mending.h"
 #include "surface/component_merging.h"
 #include "surface/cut_surface.h"
+#include "surface/surface_point.h"
 #include "surface/vertex_fans.h"
 
 namespace sherd {
@@ -57,7 +59,7 @@ class Bake {
         if (!cutDone) return tl::unexpected(cutDone.error());
         if (!medialDone) return tl::unexpected(medialDone.error());
         stitchPieces(*medialDone);
-        if (auto ok = judgeMerged(components_, pieces_, report()); !ok) {
+        if (auto ok = judgeMerged(components_, cut_, pieces_, report()); !ok) {
             return tl::unexpected(ok.error());
         }
         if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());
@@ -121,9 +123,7 @@ class Bake {
     /// Thesis steps 1 to 5: the surface is cut into components.
     Result<void> cut() {
         const StageTimer timer = stage("cutting", 0.1);
-        Result<CutSurface> done =
-            cutSurface(mesh_, meshTopology_, plan_,
-                       {{recipe_.seamJoinShare * diagonal_, recipe_.interior.thesis}});
+        Result<CutSurface> done = cutSurface(mesh_, meshTopology_, plan_, cutOptions());
         if (!done) return tl::unexpected(done.error());
 #ifdef SHERD_VALIDATE
         if (!isFaithfulSplit(mesh_, meshTopology_, *done, 1e-4)) {
@@ -131,14 +131,25 @@ class Bake {
                         mesh_.name);
         }
 #endif
-        surface_ = std::move(done->surface);
-        topology_ = std::move(done->topology);
-        if (done->lines.size() == 0)
+        cut_ = std::move(*done);
+        if (cut_.lines.size() == 0)
             return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
-        components_ = floodFill(surface_, topology_, done->lines, done->lines.levels());
-        report().splitTriangles = static_cast<uint32_t>(surface_.triangles.size());
-        reportCutting(*done, report());
-        return judgeSeparation(components_, *done, report());
+        std::vector<CellReport> cells;
+        components_ = componentsOf(cut_, recipe_.splitParts, cells);
+        reportCells(cells, report());
+        report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
+        reportCutting(mesh_, cut_, components_, report());
+        return judgeSeparation(components_, cut_, report());
+    }
+
+    CutOptions cutOptions() const {
+        CutOptions options;
+        options.seams = {recipe_.seamJoinShare * diagonal_, recipe_.interior.thesis};
+        options.closeGaps = recipe_.closeGaps;
+        options.snapDistance = recipe_.snapShare * diagonal_;
+        options.wrap = recipe_.wrap;
+        options.splitPatches = recipe_.splitParts;
+        return options;
     }
 
     /// Thesis steps 6 and 7: hidden points, and every component closed by its sheet and walls.
@@ -148,23 +159,23 @@ class Bake {
         report().stages.push_back({"of it, Delaunay", medial.qhullSeconds});
         for (const std::string& warning : medial.warnings)
             report().findings.push_back({"medial", warning, "", 1});
-        const std::vector<MergedLeaf> small =
-            mergeSmallLeaves(surface_, topology_, recipe_.minimumComponentShare, components_);
+        const std::vector<MergedLeaf> small = mergeSmallLeaves(
+            cut_.surface, cut_.topology, recipe_.minimumComponentShare, components_);
         const InsideTest inside(mesh_.positions, mesh_.triangles);
-        hidden_ = hiddenPoints(surface_, medial.points, inside, recipe_.threads);
-        pieces_ = mendPieces(surface_, topology_, inside, hidden_.points, components_);
-        reportPieces(small, pieces_, report());
+        hidden_ = hiddenPoints(cut_.surface, medial.points, inside, recipe_.threads);
+        pieces_ = mendPieces(cut_.surface, cut_.topology, inside, hidden_.points, components_);
+        reportPieces(mesh_, small, pieces_, report());
     }
 
     /// Every fragment of every level, over vertex ids; over positions it is proven after assembly.
     Result<void> proveClosed() {
         const StageTimer timer = stage("proving closed", 0.7);
         for (uint32_t level = 1; level <= components_.levels; ++level) {
-            const ClosedReport proof =
-                proveByIds(levelTopology(surface_, topology_, components_, pieces_.faces, level));
+            const ClosedReport proof = proveByIds(
+                levelTopology(cut_.surface, cut_.topology, components_, pieces_.faces, level));
             // Where the mesh touches itself along an edge a piece may do the same.
             const bool excused =
-                topology_.pinchedEdges + topology_.nonManifoldEdges > 0 && proof.closed();
+                cut_.topology.pinchedEdges + cut_.topology.nonManifoldEdges > 0 && proof.closed();
             if (proof.manifold() || excused) continue;
             return fail(ErrorCode::notClosed,
                         "a fragment of level " + std::to_string(level) + " is not closed (" +
@@ -174,6 +185,28 @@ class Bake {
                         "mesh \"" + mesh_.name + "\"");
         }
         return {};
+    }
+
+    std::vector<PlacedLabel> placeLabels() {
+        std::vector<PlacedLabel> placed;
+        std::optional<PlaceFinder> finder;
+        std::vector<UvTriangle> uv;
+        for (const FracturePlan::Drawing& drawing : plan_.drawings) {
+            for (const FractureMap::Label& label : drawing.map.labels) {
+                if (!finder) {
+                    if (auto frames = snapUv(mesh_)) uv = std::move(*frames);
+                    finder.emplace(mesh_, cut_.surface, cut_.topology.degenerate, uv);
+                }
+                const std::optional<SurfacePoint> point = finder->find(label.place);
+                if (point && point->distance <= recipe_.snapShare * diagonal_)
+                    placed.push_back({&label, point->triangle});
+                else
+                    report().findings.push_back(
+                        {"label", "a label lies on no component; move it onto the surface",
+                         label.source, 1});
+            }
+        }
+        return placed;
     }
 
     void assemble() {
@@ -186,6 +219,9 @@ class Bake {
         set.materials.push_back(interiorMaterial_);
         const Hierarchy hierarchy = buildHierarchy(components_);
         assembleFragments(hierarchy, recipe_.physics, set);
+        const std::vector<PlacedLabel> labels = placeLabels();
+        for (const std::string& problem : assembleLabels(labels, components_, hierarchy, set))
+            report().findings.push_back({"label", problem, "", 1});
         for (size_t k = 0; k < recipe_.levels.size() && k + 1 < set.levels.size(); ++k) {
             set.levels[k + 1].name = recipe_.levels[k].name;
         }
@@ -194,13 +230,13 @@ class Bake {
             const double tile = recipe_.interior.uvMetresPerTile > 0
                                     ? recipe_.interior.uvMetresPerTile
                                     : diagonal_ / 4;
-            assembleGeometry({mesh_, surface_, components_, hierarchy, pieces_.faces,
+            assembleGeometry({mesh_, cut_.surface, components_, hierarchy, pieces_.faces,
                               hidden_.points, static_cast<uint32_t>(mesh_.materials.size()), tile},
                              set);
         }
         {
             const StageTimer timer = stage("masses", 0.8);
-            const uint32_t boxed = assembleMasses(hierarchy, recipe_.physics, recipe_.threads, set);
+            const uint32_t boxed = assembleMasses(hierarchy, recipe_.threads, set);
             if (boxed > 0) {
                 report().findings.push_back({"boxed-inertia",
                                              "pieces overlap themselves too much to have an "
@@ -213,7 +249,11 @@ class Bake {
             assembleHulls(recipe_.physics, recipe_.threads, set);
         }
         const StageTimer timer = stage("bonds", 0.9);
-        assembleBonds(hierarchy, recipe_.physics, 1e-3 * diagonal_, recipe_.threads, set);
+        assembleBonds(
+            hierarchy,
+            lineStrengths(cut_.surface, cut_.topology, cut_.lines, components_, hierarchy),
+            1e-3 * diagonal_, recipe_.threads, set);
+        assembleAnchors(labels, cut_.surface, components_, hierarchy, set);
     }
 
     /// The last proof, over the positions that are written: no fragment that fails it leaves here.
@@ -243,8 +283,7 @@ class Bake {
     double diagonal_ = 0;
     double medialSeconds_ = 0;
     MeshTopology meshTopology_;
-    SplitSurface surface_;
-    MeshTopology topology_;  ///< of the split surface
+    CutSurface cut_;
     Components components_;
     HiddenPoints hidden_;
     MendedPieces pieces_;

@@ -2,57 +2,12 @@
 #include "bake_findings.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "finding_text.h"
 #include "geometry/closed_mesh.h"
 
 namespace sherd {
 namespace {
-
-/// More than any engine simulates; far beyond it a slip of the pen would fill the memory.
-constexpr uint32_t kMostPieces = 100000;
-
-std::string text(const char* format, auto... values) {
-    std::array<char, 160> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), format, values...);
-    return buffer.data();
-}
-
-std::string counted(uint32_t count, const char* what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-std::string at(const glm::dvec3& p) {
-    return text("(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
-}
-
-/// The places of the first few of many.
-template <class Item, class Place>
-std::string places(const std::vector<Item>& items, Place&& place) {
-    constexpr size_t kShown = 3;
-    std::string result;
-    for (size_t i = 0; i < std::min(items.size(), kShown); ++i)
-        result += (i == 0 ? "" : "; ") + place(items[i]);
-    return items.size() > kShown ? result + "; ..." : result;
-}
-
-std::string placeOf(const LooseEnd& end) {
-    return text("UV (%.5g, %.5g)", end.uv.x, end.uv.y) + " at " + at(end.position);
-}
-
-/// What most likely keeps lines from separating, for the refusal.
-std::string looseEnds(const CutSurface& cut) {
-    std::string result;
-    if (!cut.seams.loose.empty()) {
-        result.append(". Line ends without a continuation over a chart border: ")
-            .append(places(cut.seams.loose, [](const LooseEnd& e) { return placeOf(e); }));
-    }
-    if (!cut.deadEnds.empty()) {
-        result.append(". Lines ending in the surface: ")
-            .append(places(cut.deadEnds, [](const LooseEnd& e) { return placeOf(e); }));
-    }
-    return result;
-}
 
 std::string halfEdgePlace(const SurfaceMesh& mesh, uint32_t halfEdge) {
     const auto& t = mesh.triangles[halfEdge / 3];
@@ -121,38 +76,8 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
     return {};
 }
 
-Result<void> judgeSeparation(const Components& components, const CutSurface& cut,
-                             BakedObjectReport& report) {
-    report.levels.resize(components.levels + 1);
-    report.levels[0].components = report.parts = components.parts;
-    uint32_t before = components.parts;
-    for (uint32_t k = 1; k <= components.levels; ++k) {
-        const uint32_t count = components.count[k - 1];
-        report.levels[k].components = count;
-        if (count > kMostPieces) {
-            return fail(ErrorCode::limitExceeded,
-                        "the lines of level " + std::to_string(k) + " make " +
-                            std::to_string(count) + " components; a bake holds at most " +
-                            std::to_string(kMostPieces),
-                        "mesh \"" + report.name + "\"");
-        }
-        if (count <= before) {
-            return fail(ErrorCode::separatesNothing,
-                        "the lines of level " + std::to_string(k) +
-                            " separate nothing: the surface has " + counted(count, "component") +
-                            " with and without them; draw lines that close around a piece, and "
-                            "that meet on both sides of every chart border they cross; of a file "
-                            "with several objects bake those the map is for, with --node" +
-                            looseEnds(cut),
-                        "mesh \"" + report.name + "\"");
-        }
-        before = count;
-    }
-    return {};
-}
-
-Result<void> judgeMerged(const Components& components, const MendedPieces& pieces,
-                         const BakedObjectReport& report) {
+Result<void> judgeMerged(const Components& components, const CutSurface& cut,
+                         const MendedPieces& pieces, const BakedObjectReport& report) {
     const std::string where = "mesh \"" + report.name + "\"";
     if (pieces.empty > 0) {
         return fail(
@@ -161,7 +86,7 @@ Result<void> judgeMerged(const Components& components, const MendedPieces& piece
                 " without volume: the surface is flat or has no inside; give it a thickness",
             where);
     }
-    uint32_t before = report.parts;
+    uint32_t before = cut.hasCells(1) ? 1 : report.parts;
     for (uint32_t k = 1; k <= components.levels; ++k) {
         if (components.count[k - 1] <= before) {
             return fail(ErrorCode::separatesNothing,
@@ -184,49 +109,6 @@ Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal) {
                 "the object is " + text("%.4g", diagonal) +
                     " m across; Sherd bakes objects from 1e-6 to 1e7 m: scale it to its true size",
                 "mesh \"" + mesh.name + "\"");
-}
-
-void reportCutting(const CutSurface& cut, BakedObjectReport& report) {
-    for (const std::string& warning : cut.warnings)
-        report.findings.push_back({"map", warning, "", 1});
-    if (cut.seams.averaged > 0) {
-        report.findings.push_back({"averaged", "pairs of line ends at seams were moved together",
-                                   "", cut.seams.averaged});
-    }
-    if (!cut.seams.loose.empty()) {
-        report.findings.push_back(
-            {"loose-ends", "lines end at a chart border and go on nowhere on its other side",
-             places(cut.seams.loose, [](const LooseEnd& e) { return placeOf(e); }),
-             static_cast<uint32_t>(cut.seams.loose.size())});
-    }
-    if (!cut.deadEnds.empty()) {
-        report.findings.push_back(
-            {"dead-ends", "lines end in the surface",
-             places(cut.deadEnds, [](const LooseEnd& e) { return placeOf(e); }),
-             static_cast<uint32_t>(cut.deadEnds.size())});
-    }
-}
-
-void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,
-                  BakedObjectReport& report) {
-    const auto place = [](const MergedLeaf& leaf) {
-        return "near " + at(leaf.position) + text(", area %.3g", leaf.area);
-    };
-    if (!small.empty()) {
-        report.findings.push_back({"merged-small",
-                                   "components too small to be a piece joined a neighbour",
-                                   places(small, place), static_cast<uint32_t>(small.size())});
-    }
-    if (!pieces.merged.empty()) {
-        report.findings.push_back({"merged-empty", "pieces without volume joined a neighbour",
-                                   places(pieces.merged, place),
-                                   static_cast<uint32_t>(pieces.merged.size())});
-    }
-    if (pieces.thinned > 0) {
-        report.findings.push_back(
-            {"thinned", "pieces turned inside out by the medial surface were made thinner", "",
-             pieces.thinned});
-    }
 }
 
 void reportFragments(const FractureSet& set, BakedObjectReport& report) {

@@ -19,15 +19,19 @@ Result<void> judgeSeparation(const Components& components, const CutSurface& cut
                              BakedObjectReport& report);
 
 /// The same after pieces were merged, and refuses objects of which no piece has a volume.
-Result<void> judgeMerged(const Components& components, const MendedPieces& pieces,
-                         const BakedObjectReport& report);
+Result<void> judgeMerged(const Components& components, const CutSurface& cut,
+                         const MendedPieces& pieces, const BakedObjectReport& report);
 
 /// Refuses sizes at which masses and moments of inertia do not fit a float.
 Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal);
 
-void reportCutting(const CutSurface& cut, BakedObjectReport& report);
-void reportPieces(const std::vector<MergedLeaf>& small, const MendedPieces& pieces,
-                  BakedObjectReport& report);
+/// How many pieces patterns made of those asked for, and why.
+void reportCells(const std::vector<CellReport>& cells, BakedObjectReport& report);
+
+void reportCutting(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,
+                   BakedObjectReport& report);
+void reportPieces(const SurfaceMesh& mesh, const std::vector<MergedLeaf>& small,
+                  const MendedPieces& pieces, BakedObjectReport& report);
 
 /// Counts, closed ones proven over positions, and volume shares.
 void reportFragments(const FractureSet& set, BakedObjectReport& report);

@@ -52,6 +52,8 @@ Result<BakedFile> bakeModel(const Model& model, const FracturePlan& plan, const 
     for (const SurfaceMesh& mesh : model.meshes) {
         Result<BakedObject> object = bakeObject(mesh, plan, recipe, interior->index, progress);
         if (!object) return tl::unexpected(object.error());
+        object->set.sameNodes = mesh.sameNodes;
+        object->set.joinedNodes = mesh.joinedNodes;
         sets.push_back(std::move(object->set));
         file.report.objects.push_back(std::move(object->report));
     }

@@ -100,15 +100,53 @@ bool readLevels(Reader& reader, const Json& json, const std::string& pointer, Re
         return reader.wrong(pointer, "must be a list with at least one level");
     for (size_t i = 0; i < json.size(); ++i) {
         RecipeLevel level;
-        std::string map;
+        std::string map, pattern, projection;
         const std::string here = pointer + "/" + std::to_string(i);
         if (!reader.object(json[i], here,
-                           {{"map", reader.string(map)}, {"name", reader.string(level.name)}}))
+                           {{"map", reader.string(map)},
+                            {"pattern", reader.string(pattern)},
+                            {"projection", reader.string(projection)},
+                            {"name", reader.string(level.name)}}))
             return false;
-        if (map.empty())
-            return reader.wrong(here, "needs a \"map\": the path of an SVG or JSON fracture map");
+        if (map.empty() == pattern.empty())
+            return reader.wrong(here,
+                                "needs either a \"map\", the path of a drawing (SVG, JSON, PNG, "
+                                "JPEG), or a \"pattern\" like \"voronoi:12\"");
         level.map = map;
+        if (!pattern.empty()) {
+            Result<Pattern> parsed = parsePattern(pattern);
+            if (!parsed) return reader.wrong(here + "/pattern", ": " + parsed.error().message);
+            level.pattern = std::move(*parsed);
+        }
+        if (!projection.empty()) {
+            const Result<Projection> parsed = parseProjection(projection);
+            if (!parsed) return reader.wrong(here + "/projection", ": " + parsed.error().message);
+            level.projection = *parsed;
+        }
         recipe.levels.push_back(level);
+    }
+    return true;
+}
+
+bool readBitmap(Reader& reader, const Json& json, const std::string& pointer,
+                BitmapOptions& bitmap) {
+    double threshold = -1;
+    if (!reader.object(json, pointer,
+                       {{"threshold", reader.number(threshold, 0, 1)},
+                        {"tolerance", reader.number(bitmap.tolerance, 0, 1000)},
+                        {"spur", reader.number(bitmap.spur, 0, 1000)},
+                        {"curves", reader.boolean(bitmap.curves)}}))
+        return false;
+    if (threshold >= 0) bitmap.threshold = threshold;
+    return true;
+}
+
+bool readLevelColors(Reader& reader, const Json& json, const std::string& pointer, Recipe& recipe) {
+    if (!json.is_object()) return reader.wrong(pointer, "must be an object {\"#ff0000\": 2}");
+    for (const auto& [color, level] : json.items()) {
+        if (!level.is_number_unsigned() || level < 1 || level > 64)
+            return reader.wrong(pointer + "/" + color, "must be a level from 1 to 64");
+        recipe.levelOfColor.emplace_back(color, level.get<uint32_t>());
     }
     return true;
 }
@@ -152,6 +190,7 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
     }
     Recipe recipe;
     Error error;
+    std::string wrap;
     Reader reader(name, error);
     const bool ok = reader.object(
         json, "",
@@ -168,9 +207,36 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
          {"curveTolerance", reader.number(recipe.curveTolerance, 1e-7, 0.1)},
          {"seamJoinShare", reader.number(recipe.seamJoinShare, 0, 0.1)},
          {"minimumComponentShare", reader.number(recipe.minimumComponentShare, 0, 0.5)},
+         {"closeGaps", reader.number(recipe.closeGaps, 0, 1)},
+         {"snapShare", reader.number(recipe.snapShare, 0, 10)},
+         {"wrap", reader.string(wrap)},
+         {"modelLines", reader.boolean(recipe.modelLines)},
+         {"splitParts", reader.boolean(recipe.splitParts)},
+         {"bitmap", [&](const Json& j,
+                        const std::string& p) { return readBitmap(reader, j, p, recipe.bitmap); }},
+         {"levelColors",
+          [&](const Json& j, const std::string& p) {
+              return readLevelColors(reader, j, p, recipe);
+          }},
          {"allowOpen", reader.boolean(recipe.allowOpen)}});
     if (!ok) return tl::unexpected(error);
+    if (!wrap.empty()) {
+        const Result<PageWrap> parsed = parsePageWrap(wrap);
+        if (!parsed) return fail(ErrorCode::invalidData, parsed.error().message, name + "#/wrap");
+        recipe.wrap = *parsed;
+    }
     return recipe;
+}
+
+Result<PageWrap> parsePageWrap(std::string_view text) {
+    if (text == "texture") return PageWrap::texture;
+    if (text == "none") return PageWrap::none;
+    if (text == "repeat") return PageWrap::repeat;
+    if (text == "mirror") return PageWrap::mirror;
+    if (text == "clamp") return PageWrap::clamp;
+    return fail(ErrorCode::badArgument, "\"" + std::string(text) +
+                                            "\" is no way to wrap a page: texture, none, repeat, "
+                                            "mirror or clamp");
 }
 
 Result<Recipe> readRecipe(const std::filesystem::path& path) {
@@ -187,7 +253,8 @@ Result<Recipe> readRecipe(const std::filesystem::path& path) {
     if (!in) return fail(ErrorCode::fileRead, "the recipe cannot be read", path.string());
     Result<Recipe> recipe = parseRecipe(content.str(), path.string());
     if (recipe) {
-        for (RecipeLevel& level : recipe->levels) level.map = path.parent_path() / level.map;
+        for (RecipeLevel& level : recipe->levels)
+            if (!level.map.empty()) level.map = path.parent_path() / level.map;
     }
     return recipe;
 }

@@ -30,10 +30,19 @@ std::string toJson(const BakeReport& report) {
                                        {"volumeShare", level.volumeShare}});
         }
         for (const BakeFinding& finding : object.findings) {
-            entry["findings"].push_back({{"code", finding.code},
-                                         {"message", finding.message},
-                                         {"where", finding.where},
-                                         {"count", finding.count}});
+            Json found{{"code", finding.code},
+                       {"message", finding.message},
+                       {"where", finding.where},
+                       {"count", finding.count}};
+            for (const BakePlace& place : finding.places) {
+                Json here = Json::object();
+                if (place.position)
+                    here["position"] = {place.position->x, place.position->y, place.position->z};
+                if (place.uv) here["uv"] = {place.uv->x, place.uv->y};
+                if (!place.note.empty()) here["note"] = place.note;
+                found["places"].push_back(std::move(here));
+            }
+            entry["findings"].push_back(std::move(found));
         }
         for (const StageTime& stage : object.stages) {
             entry["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});

@@ -56,10 +56,14 @@ U2 two(const Range& r) {
 Json fragmentsJson(const FractureSet& set, TableWriter& tables) {
     const std::vector<Fragment>& all = set.fragments;
     Json out = {{"count", all.size()}};
-    const bool named =
-        std::any_of(all.begin(), all.end(), [](const Fragment& f) { return !f.name.empty(); });
-    if (named)
-        for (const Fragment& f : all) out["names"].push_back(f.name);
+    const auto words = [&](const char* key, std::string Fragment::*word) {
+        const bool any = std::any_of(all.begin(), all.end(),
+                                     [&](const Fragment& f) { return !(f.*word).empty(); });
+        if (!any) return;
+        for (const Fragment& f : all) out[key].push_back(f.*word);
+    };
+    words("names", &Fragment::name);
+    words("materials", &Fragment::material);
     Json& to = out["attributes"];
     const auto integers = [&](const char* name, uint32_t components, auto get) {
         to[name] = tables.integers(gatherIntegers(all, get), components);
@@ -178,6 +182,7 @@ Json fractureJson(const FractureSet& set, TableWriter& tables) {
     Json out;
     if (!set.name.empty()) out["name"] = set.name;
     out["mesh"] = set.mesh;
+    if (!set.joinedNodes.empty()) out["joined"] = set.joinedNodes;
     out["sourceHash"] = set.sourceHash;
     out["restPose"] = {{"translation", three(set.restPose.translation)},
                        {"rotation", four(set.restPose.rotation)}};

@@ -259,18 +259,19 @@ std::vector<Range> ranges(const std::vector<uint32_t>& values) {
     return out;
 }
 
-void readFragmentNames(Reader& in, const json& fragments, const std::string& where,
-                       FractureSet& set) {
-    const json* names = Reader::optional(fragments, "names");
-    if (names == nullptr) return;
-    if (!names->is_array() || names->size() != set.fragments.size())
-        return in.fail(ErrorCode::invalidData, "there must be one name per fragment",
-                       where + "/names");
+/// An optional array of one word per fragment.
+void readFragmentWords(Reader& in, const json& fragments, const char* key, const std::string& where,
+                       std::string Fragment::*word, FractureSet& set) {
+    const json* words = Reader::optional(fragments, key);
+    if (words == nullptr) return;
+    const std::string at = where + "/" + key;
+    if (!words->is_array() || words->size() != set.fragments.size())
+        return in.fail(ErrorCode::invalidData, "there must be one string per fragment", at);
     for (size_t f = 0; f < set.fragments.size(); ++f) {
-        if (!(*names)[f].is_string())
+        if (!(*words)[f].is_string())
             return in.fail(ErrorCode::invalidData, "this must be a string",
-                           where + "/names/" + std::to_string(f));
-        set.fragments[f].name = (*names)[f].get<std::string>();
+                           at + "/" + std::to_string(f));
+        set.fragments[f].*word = (*words)[f].get<std::string>();
     }
 }
 
@@ -314,7 +315,8 @@ void readFragments(Reader& in, const json& fracture, const std::string& parent, 
         out.strength = strength[f];
         out.toughness = toughness[f];
     }
-    readFragmentNames(in, fragments, where, set);
+    readFragmentWords(in, fragments, "names", where, &Fragment::name, set);
+    readFragmentWords(in, fragments, "materials", where, &Fragment::material, set);
 }
 
 void readHulls(Reader& in, const json& fracture, const std::string& parent, FractureSet& set) {
@@ -433,6 +435,20 @@ void readMaterials(Reader& in, const json& document, const json& fracture, const
     }
 }
 
+void readJoined(Reader& in, const json& document, const json& fracture, const std::string& parent,
+                FractureSet& set) {
+    if (Reader::optional(fracture, "joined") == nullptr) return;
+    const json& all = in.array(fracture, "joined", parent);
+    const json* nodes = Reader::optional(document, "nodes");
+    const uint64_t count = nodes != nullptr && nodes->is_array() ? nodes->size() : 0;
+    for (size_t j = 0; in.ok() && j < all.size(); ++j) {
+        const std::string at = parent + "/joined/" + std::to_string(j);
+        const uint64_t node = in.whole(all[j], at, INT32_MAX);
+        if (in.ok() && node >= count) in.fail(ErrorCode::invalidData, "there is no such node", at);
+        set.joinedNodes.push_back(static_cast<int32_t>(node));
+    }
+}
+
 FractureSet readFracture(Reader& in, const json& document, const json& fracture,
                          const std::string& where) {
     FractureSet set;
@@ -448,6 +464,7 @@ FractureSet readFracture(Reader& in, const json& document, const json& fracture,
         const auto r = in.numbers<4>(*pose, "rotation", where + "/restPose");
         if (in.ok()) set.restPose = {{t[0], t[1], t[2]}, quaternion(r.data())};
     }
+    readJoined(in, document, fracture, where, set);
     readMaterials(in, document, fracture, where, set);
     readLevels(in, fracture, where, set);
     readGeometry(in, fracture, where, set);
@@ -460,7 +477,32 @@ FractureSet readFracture(Reader& in, const json& document, const json& fracture,
     return set;
 }
 
-/// The first node that carries each fracture.
+/// A node belongs to one object at most, and once.
+void checkNodeUse(Reader& in, const json& document, const std::vector<FractureSet>& sets) {
+    const json* nodes = Reader::optional(document, "nodes");
+    std::vector<bool> used(nodes != nullptr && nodes->is_array() ? nodes->size() : 0, false);
+    for (const FractureSet& set : sets) {
+        if (set.node >= 0) used[static_cast<size_t>(set.node)] = true;
+        for (const int32_t node : set.sameNodes) used[static_cast<size_t>(node)] = true;
+    }
+    for (size_t s = 0; s < sets.size(); ++s) {
+        const std::string where = "/extensions/" + std::string(kExtensionName) + "/fractures/" +
+                                  std::to_string(s) + "/joined";
+        if (!sets[s].joinedNodes.empty() && !sets[s].sameNodes.empty())
+            return in.fail(ErrorCode::invalidData,
+                           "an object of several nodes can be carried by one of them only", where);
+        for (size_t j = 0; j < sets[s].joinedNodes.size(); ++j) {
+            const auto node = static_cast<size_t>(sets[s].joinedNodes[j]);
+            if (used[node])
+                return in.fail(ErrorCode::invalidData,
+                               "node " + std::to_string(node) + " is part of an object already",
+                               where + "/" + std::to_string(j));
+            used[node] = true;
+        }
+    }
+}
+
+/// The nodes that carry each fracture, the first one apart.
 void findNodes(Reader& in, const json& document, std::vector<FractureSet>& sets) {
     const json* nodes = Reader::optional(document, "nodes");
     for (size_t n = 0; nodes != nullptr && nodes->is_array() && n < nodes->size(); ++n) {
@@ -474,7 +516,10 @@ void findNodes(Reader& in, const json& document, std::vector<FractureSet>& sets)
         if (in.ok() && index >= sets.size())
             in.fail(ErrorCode::invalidData, "there is no such fracture", where + "/fracture");
         if (!in.ok()) return;
-        if (sets[index].node < 0) sets[index].node = static_cast<int32_t>(n);
+        if (sets[index].node < 0)
+            sets[index].node = static_cast<int32_t>(n);
+        else
+            sets[index].sameNodes.push_back(static_cast<int32_t>(n));
     }
     for (size_t s = 0; s < sets.size(); ++s)
         if (sets[s].node < 0)
@@ -505,6 +550,7 @@ Result<std::vector<FractureSet>> readDocument(const GltfDocument& document) {
         sets.push_back(
             readFracture(in, root, fractures[i], where + "/fractures/" + std::to_string(i)));
     if (in.ok()) findNodes(in, root, sets);
+    if (in.ok()) checkNodeUse(in, root, sets);
     if (!in.ok()) return tl::unexpected<Error>(in.error());
     return sets;
 }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "extension_name.h"
 #include "extension_tables.h"
@@ -209,7 +210,7 @@ class Attacher {
             if (auto placed = place(set, fractures.size()); !placed)
                 return tl::unexpected<Error>(placed.error());
             set.sourceHash = sourceHash(parsed, std::span(document_.bin).first(sourceSize),
-                                        static_cast<size_t>(set.mesh));
+                                        meshesOf(parsed, set));
             for (int32_t& material : set.materials)
                 if (material >= static_cast<int32_t>(materialCountGiven))
                     material += static_cast<int32_t>(firstMaterial) -
@@ -253,21 +254,44 @@ class Attacher {
         return text_.number(JsonText::find(buffer, "byteLength")).value_or(0);
     }
 
-    /// Hangs the set on its node and finds its mesh.
+    /// Takes a node with a mesh for one set; its mesh.
+    Result<uint64_t> use(int32_t node) {
+        const std::string where = "/nodes/" + std::to_string(node);
+        const auto mesh = text_.number(JsonText::find(nodeAt(node), "mesh"));
+        if (!mesh || *mesh >= sizeOf(list("meshes")))
+            return fail(ErrorCode::badArgument, "a fracture set needs a node with a mesh", where);
+        if (!usedNodes_.insert(node).second)
+            return fail(ErrorCode::badArgument, "a node can be part of one fracture set only",
+                        where);
+        return *mesh;
+    }
+
+    const JsonNode* nodeAt(int32_t node) const {
+        return node < 0 ? nullptr : JsonText::at(list("nodes"), static_cast<size_t>(node));
+    }
+
+    /// Hangs the set on its nodes and finds its mesh.
     Result<void> place(FractureSet& set, size_t index) {
         if (auto shape = checkShape(set); !shape) return shape;
-        const JsonNode* node =
-            set.node < 0 ? nullptr : JsonText::at(list("nodes"), static_cast<size_t>(set.node));
-        const auto mesh = text_.number(JsonText::find(node, "mesh"));
-        if (!mesh || *mesh >= sizeOf(list("meshes")))
-            return fail(ErrorCode::badArgument, "a fracture set needs a node with a mesh",
-                        "/nodes/" + std::to_string(set.node));
-        if (std::find(usedNodes_.begin(), usedNodes_.end(), set.node) != usedNodes_.end())
-            return fail(ErrorCode::badArgument, "a node can carry one fracture set only",
-                        "/nodes/" + std::to_string(set.node));
-        usedNodes_.push_back(set.node);
+        const auto mesh = use(set.node);
+        if (!mesh) return tl::unexpected<Error>(mesh.error());
         set.mesh = static_cast<int32_t>(*mesh);
-        extendExtensions(*node, "{\"fracture\":" + std::to_string(index) + "}");
+        const std::string carried = "{\"fracture\":" + std::to_string(index) + "}";
+        extendExtensions(*nodeAt(set.node), carried);
+        for (const int32_t node : set.sameNodes) {
+            const auto same = use(node);
+            if (!same) return tl::unexpected<Error>(same.error());
+            // Readers take the lowest node that carries a set for the one whose pose it gives.
+            if (*same != *mesh || node < set.node || !set.joinedNodes.empty())
+                return fail(ErrorCode::badArgument,
+                            "further nodes of a fracture set show the same mesh, lie behind the "
+                            "first and stand for objects of one node",
+                            "/nodes/" + std::to_string(node));
+            extendExtensions(*nodeAt(node), carried);
+        }
+        for (const int32_t node : set.joinedNodes)
+            if (const auto joined = use(node); !joined)
+                return tl::unexpected<Error>(joined.error());
         return {};
     }
 
@@ -294,7 +318,7 @@ class Attacher {
 
     GltfDocument document_;
     JsonText text_;
-    std::vector<int32_t> usedNodes_;
+    std::set<int32_t> usedNodes_;
 };
 
 /// `wantedMaterial`: the highest material of the document that new sets still use, or -1.

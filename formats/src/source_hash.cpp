@@ -113,12 +113,25 @@ class Hasher {
 
 }  // namespace
 
-std::string sourceHash(const json& document, std::span<const uint8_t> bin, size_t mesh) {
+std::vector<size_t> meshesOf(const json& document, const FractureSet& set) {
+    std::vector<size_t> meshes{static_cast<size_t>(set.mesh)};
+    for (const int32_t node : set.joinedNodes) {
+        const json& shown =
+            member(element(document, "nodes", json(static_cast<uint64_t>(node))), "mesh");
+        meshes.push_back(static_cast<size_t>(whole(shown, UINT32_MAX)));
+    }
+    return meshes;
+}
+
+std::string sourceHash(const json& document, std::span<const uint8_t> bin,
+                       std::span<const size_t> meshes) {
     Hasher hasher(document, bin);
-    const json& primitives =
-        member(element(document, "meshes", json(uint64_t{mesh})), "primitives");
-    if (primitives.is_array())
+    for (const size_t mesh : meshes) {
+        const json& primitives =
+            member(element(document, "meshes", json(uint64_t{mesh})), "primitives");
+        if (!primitives.is_array()) continue;
         for (const json& primitive : primitives) hasher.primitive(primitive);
+    }
     std::array<char, 17> text{};
     std::snprintf(text.data(), text.size(), "%016llx",
                   static_cast<unsigned long long>(hasher.value()));

@@ -188,6 +188,16 @@ def two_cubes_glb():
     return document.glb()
 
 
+def two_sights_glb(scale=1):
+    """One mesh in two places; the second node may be larger."""
+    document = _Document()
+    document.add_mesh(cube_mesh(), 'here')
+    document.json['nodes'].append({'name': 'there', 'mesh': 0, 'translation': [4, 0, 1],
+                                   'rotation': [0, 0.6, 0, 0.8], 'scale': [scale] * 3})
+    document.json['scenes'][0]['nodes'].append(1)
+    return document.glb()
+
+
 def skinned_cube_glb():
     """Defect: a skin with one joint moves the cube."""
     document = _Document()

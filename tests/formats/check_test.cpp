@@ -415,6 +415,51 @@ TEST_CASE("a set older than its mesh is stale") {
     CHECK(failuresOf(checked(toGlb(*document))) == Codes{"stale"});
 }
 
+TEST_CASE(
+    "every node of a set is watched: other meshes shown, and joined meshes changed, are stale") {
+    FractureSet set = makeFracturedCube();
+    GltfDocument document = makeIntactDocument(set);
+    // A second mesh of its own data, and two nodes more.
+    document.json.insert(document.json.find("],\"meshes\""), R"(,{"mesh":0},{"mesh":1})");
+    document.json.insert(document.json.find("],\"materials\""),
+                         R"(,{"primitives":[{"attributes":{"POSITION":2}}]})");
+    document.json.insert(document.json.find("],\"bufferViews\""),
+                         R"(,{"bufferView":2,"componentType":5126,"count":3,"type":"VEC3"})");
+    const size_t size = document.bin.size();
+    document.json.insert(
+        document.json.find("],\"buffers\""),
+        R"(,{"buffer":0,"byteOffset":)" + std::to_string(size) + R"(,"byteLength":36})");
+    document.bin.resize(size + 36);
+    const std::string length = "\"buffers\":[{\"byteLength\":" + std::to_string(size);
+    document.json.replace(document.json.find(length), length.size(),
+                          "\"buffers\":[{\"byteLength\":" + std::to_string(size + 36));
+    const NewMaterial inside{"inside"};
+    constexpr size_t kNone = SIZE_MAX;
+    const auto failuresAfter = [&](const FractureSet& of, const std::string& from,
+                                   const std::string& to, size_t changedByte) {
+        const auto glb = attachFractureSets(document, {&of, 1}, {&inside, 1});
+        REQUIRE(glb);
+        auto baked = parseGlb(*glb, "baked");
+        const size_t at = baked->json.find(from);
+        REQUIRE(at != std::string::npos);
+        baked->json.replace(at, from.size(), to);
+        if (changedByte != kNone) baked->bin[changedByte] ^= 1;
+        return failuresOf(checked(toGlb(*baked)));
+    };
+    FractureSet same = set;
+    same.sameNodes = {1};
+    const std::string carrier = R"({"mesh":0,"extensions")";
+    CHECK(failuresAfter(same, carrier, R"({"mesh":1,"extensions")", size + 1) == Codes{"stale"});
+    CHECK(failuresAfter(same, carrier, R"({"extensions")", size + 1) == Codes{"stale"});
+    CHECK(failuresAfter(same, carrier, carrier, size + 1).empty());
+    FractureSet joined = set;
+    joined.joinedNodes = {2};
+    const std::string part = R"({"mesh":1})";
+    CHECK(failuresAfter(joined, part, part, size + 1) == Codes{"stale"});
+    CHECK(failuresAfter(joined, part, R"({"mesh":0})", kNone) == Codes{"stale"});
+    CHECK(failuresAfter(joined, part, "{}", kNone) == Codes{"stale"});
+}
+
 TEST_CASE("a finding names fragment, place and reason, in JSON too") {
     FractureSet set = makeFracturedCube(threeLevels());
     set.bonds[4].area = 0;

@@ -256,3 +256,71 @@ TEST_CASE("JSON that names what is not there is refused with its pointer") {
         CHECK(sets.error().where.find(c.where) != std::string::npos);
     }
 }
+
+TEST_CASE("words about fragments that are no array of one string each are refused") {
+    FractureSet set = makeFracturedCube(small());
+    set.fragments[1].material = "oak";
+    const NewMaterial inside{"inside"};
+    const auto glb = attachFractureSets(makeIntactDocument(set), {&set, 1}, {&inside, 1});
+    REQUIRE(glb);
+    const std::string right = R"("materials":["","oak","","","","",""])";
+    std::string many = "\"materials\":[\"x\"";
+    for (int i = 0; i < 100000; ++i) many += ",\"x\"";
+    for (const std::string& wrong :
+         {std::string(R"("materials":["","oak"])"), std::string(R"("materials":[])"),
+          std::string(R"("materials":"oak")"), std::string(R"("materials":{"1":"oak"})"),
+          std::string(R"("materials":["",1,"","","","",""])"),
+          std::string(R"("materials":[null,"","","","","",""])"), many + "]"}) {
+        auto document = parseGlb(*glb, "cube");
+        const size_t at = document->json.find(right);
+        REQUIRE(at != std::string::npos);
+        document->json.replace(at, right.size(), wrong);
+        const auto sets = readFractureSets(toGlb(*document));
+        CAPTURE(wrong.substr(0, 60));
+        REQUIRE_FALSE(sets);
+        CHECK(sets.error().code == ErrorCode::invalidData);
+        CHECK(sets.error().where.find("/fragments/materials") != std::string::npos);
+    }
+    // A word of any length is the file's own weight.
+    auto document = parseGlb(*glb, "cube");
+    document->json.replace(document->json.find("oak"), 3, std::string(1 << 20, 'o'));
+    const auto sets = readFractureSets(toGlb(*document));
+    REQUIRE(sets);
+    CHECK((*sets)[0].fragments[1].material.size() == 1 << 20);
+}
+
+TEST_CASE("joined nodes that are not there, or part of an object already, are refused") {
+    struct Case {
+        const char* joined;
+        const char* where;
+    };
+    for (const Case& c :
+         {Case{"[9]", "/joined/0"}, Case{"[-1]", "/joined/0"}, Case{"[1,1]", "/joined/1"},
+          Case{"[0]", "/joined/0"}, Case{"[1,\"2\"]", "/joined/1"}, Case{"[]", "/joined"},
+          Case{"1", "/joined"}, Case{"[4294967296]", "/joined/0"}, Case{"[0.5]", "/joined/0"}}) {
+        auto document = parseGlb(makeBakedCube(small()), "cube");
+        REQUIRE(document);
+        document->json.insert(document->json.find("],\"meshes\""), ",{\"mesh\":0}");
+        const std::string place = "\"mesh\":0,\"sourceHash\"";
+        document->json.replace(
+            document->json.find(place), place.size(),
+            std::string("\"mesh\":0,\"joined\":") + c.joined + ",\"sourceHash\"");
+        const auto sets = readFractureSets(toGlb(*document));
+        CAPTURE(c.joined);
+        REQUIRE_FALSE(sets);
+        CHECK(sets.error().code == ErrorCode::invalidData);
+        CHECK(sets.error().where.find(c.where) != std::string::npos);
+    }
+    // The same as further sight and as part.
+    auto document = parseGlb(makeBakedCube(small()), "cube");
+    document->json.insert(
+        document->json.find("],\"meshes\""),
+        R"(,{"mesh":0,"extensions":{"SHERD_mesh_fracture":{"fracture":0}}},{"mesh":0})");
+    const auto same = readFractureSets(toGlb(*document));
+    REQUIRE(same);
+    CHECK((*same)[0].sameNodes == std::vector<int32_t>{1});
+    const std::string place = "\"mesh\":0,\"sourceHash\"";
+    document->json.replace(document->json.find(place), place.size(),
+                           "\"mesh\":0,\"joined\":[2],\"sourceHash\"");
+    CHECK_FALSE(readFractureSets(toGlb(*document)));
+}

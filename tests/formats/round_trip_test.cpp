@@ -26,6 +26,16 @@ std::vector<uint8_t> mustAttach(const GltfDocument& document, const FractureSet&
     return std::move(*glb);
 }
 
+/// The intact document with more nodes behind the first.
+GltfDocument withNodes(const FractureSet& set, const std::vector<std::string>& nodes) {
+    GltfDocument document = makeIntactDocument(set);
+    const size_t at = document.json.find("}],\"meshes\"") + 1;
+    std::string more;
+    for (const std::string& node : nodes) more += "," + node;
+    document.json.insert(at, more);
+    return document;
+}
+
 }  // namespace
 
 TEST_CASE("an object that is not divided at all is written and read") {
@@ -48,6 +58,9 @@ TEST_CASE("everything in a fracture set survives the file, bit for bit") {
     options.name = "a \"quoted\" name, \xC3\xA9";
     FractureSet set = makeFracturedCube(options);
     set.fragments[3].name = "corner";
+    set.fragments[2].material =
+        "\xC3\xA9"
+        "b\xC3\xA8ne";
     set.fragments[3].friction = 0.1F;
     set.geometry.attributes.push_back(
         {"_HEAT", 1, std::vector<float>(set.geometry.positions.size(), 0.3F)});
@@ -56,6 +69,93 @@ TEST_CASE("everything in a fracture set survives the file, bit for bit") {
     CHECK(sets[0].sourceHash.size() == 16);
     set.sourceHash = sets[0].sourceHash;
     CHECK(whatDiffers(set, sets[0]) == "");
+}
+
+TEST_CASE("names and materials that nobody gave take no room") {
+    FractureSet set = makeFracturedCube();
+    for (Fragment& fragment : set.fragments) fragment.name.clear();
+    const auto bare = parseGlb(mustAttach(makeIntactDocument(set), set), "bare");
+    REQUIRE(bare);
+    CHECK(bare->json.find("\"names\"") == std::string::npos);
+    CHECK(bare->json.find("\"fragments\":{\"count\":19,\"attributes\"") != std::string::npos);
+    set.fragments[4].material = "oak";
+    const auto sets = mustRead(mustAttach(makeIntactDocument(set), set));
+    CHECK(sets[0].fragments[4].material == "oak");
+    CHECK(sets[0].fragments[3].material.empty());
+}
+
+TEST_CASE("a set is hung on every node that shows its mesh, and taken off all of them") {
+    FractureSet set = makeFracturedCube();
+    set.restPose.translation = {1, 2, 3};
+    const GltfDocument document =
+        withNodes(set, {R"({"mesh":0,"translation":[5,0,0]})", R"({"name":"other"})",
+                        R"({"mesh":0,"extensions":{"EXT_x":{}}})"});
+    set.sameNodes = {1, 3};
+    const std::vector<uint8_t> glb = mustAttach(document, set);
+    const auto sets = mustRead(glb);
+    REQUIRE(sets.size() == 1);
+    set.sourceHash = sets[0].sourceHash;
+    CHECK(whatDiffers(set, sets[0]) == "");
+    const auto back = withoutFractureSets(*parseGlb(glb, "baked"));
+    REQUIRE(back);
+    CHECK(back->json == document.json);
+    CHECK(back->bin == document.bin);
+}
+
+TEST_CASE("joined nodes are listed and carry nothing") {
+    FractureSet set = makeFracturedCube();
+    const GltfDocument document = withNodes(set, {R"({"mesh":0})", R"({"mesh":0})"});
+    set.joinedNodes = {2, 1};
+    const std::vector<uint8_t> glb = mustAttach(document, set);
+    const auto sets = mustRead(glb);
+    REQUIRE(sets.size() == 1);
+    set.sourceHash = sets[0].sourceHash;
+    CHECK(whatDiffers(set, sets[0]) == "");
+    const auto baked = parseGlb(glb, "baked");
+    CHECK(baked->json.find("\"joined\":[2,1]") != std::string::npos);
+    CHECK(baked->json.find("\"fracture\":0") == baked->json.rfind("\"fracture\":0"));
+    CHECK(withoutFractureSets(*baked)->json == document.json);
+    FractureSet alone = set;
+    alone.joinedNodes.clear();
+    CHECK(mustRead(mustAttach(document, alone))[0].sourceHash != set.sourceHash);
+}
+
+TEST_CASE("nodes that cannot carry a set, or carry one already, are refused") {
+    const FractureSet cube = makeFracturedCube();
+    GltfDocument document =
+        withNodes(cube, {R"({"mesh":0})", R"({"name":"empty"})", R"({"mesh":1})"});
+    const std::string meshes = "\"meshes\":[";
+    document.json.insert(document.json.find(meshes) + meshes.size(), "{\"primitives\":[]},");
+    struct Nodes {
+        std::vector<int32_t> same;
+        std::vector<int32_t> joined;
+    };
+    const NewMaterial inside{"inside"};
+    const auto attached = [&](int32_t node, const Nodes& nodes) {
+        FractureSet set = cube;
+        set.node = node;
+        set.sameNodes = nodes.same;
+        set.joinedNodes = nodes.joined;
+        return attachFractureSets(document, {&set, 1}, {&inside, 1}).has_value();
+    };
+    CHECK(attached(0, {{1}, {}}));
+    CHECK(attached(0, {{}, {1, 3}}));
+    CHECK_FALSE(attached(0, {{2}, {}}));     // no mesh
+    CHECK_FALSE(attached(0, {{3}, {}}));     // another mesh
+    CHECK_FALSE(attached(0, {{9}, {}}));     // no node
+    CHECK_FALSE(attached(0, {{-1}, {}}));    // no node
+    CHECK_FALSE(attached(0, {{0}, {}}));     // itself
+    CHECK_FALSE(attached(0, {{1, 1}, {}}));  // twice
+    CHECK_FALSE(attached(1, {{0}, {}}));     // in front: the pose would be taken for its
+    CHECK_FALSE(attached(0, {{1}, {3}}));    // an object of several nodes, twice
+    CHECK_FALSE(attached(0, {{}, {0}}));     // itself
+    CHECK_FALSE(attached(0, {{}, {1, 1}}));  // twice
+    CHECK_FALSE(attached(0, {{}, {2}}));     // no mesh
+    CHECK_FALSE(attached(0, {{}, {1000000000}}));
+    std::vector<FractureSet> two = {cube, cube};
+    two[0].joinedNodes = {1};
+    two[1].node = 1;
+    CHECK_FALSE(attachFractureSets(document, two, {&inside, 1}));
 }
 
 TEST_CASE("the source document stays bit for bit under what is added") {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/box_fracture.h"
+#include "support/fractured_cube.h"
 
 using namespace sherd;
 
@@ -115,4 +116,27 @@ TEST_CASE("bytes that are no GLB, or an empty buffer, are an error") {
     CHECK_FALSE(loadAssets(std::span<const uint8_t>()).has_value());
     const std::vector<uint8_t> noise(100, 0x5A);
     CHECK_FALSE(loadAssets(std::span<const uint8_t>(noise)).has_value());
+}
+
+TEST_CASE("a file whose object stands in two places, or consists of two nodes, is one asset") {
+    FractureSet set = test::makeFracturedCube();
+    set.fragments[2].material = "oak";
+    GltfDocument document = test::makeIntactDocument(set);
+    document.json.insert(document.json.find("],\"meshes\""), R"(,{"mesh":0})");
+    const NewMaterial inside{"inside"};
+    for (const bool joined : {false, true}) {
+        set.sameNodes = joined ? std::vector<int32_t>() : std::vector<int32_t>{1};
+        set.joinedNodes = joined ? std::vector<int32_t>{1} : std::vector<int32_t>();
+        const auto glb = attachFractureSets(document, {&set, 1}, {&inside, 1});
+        REQUIRE(glb.has_value());
+        const auto assets = loadAssets(std::span<const uint8_t>(*glb));
+        REQUIRE(assets.has_value());
+        REQUIRE(assets->size() == 1);
+        const Asset& asset = *assets->front();
+        CHECK(asset.set().node == 0);
+        CHECK(asset.set().sameNodes == set.sameNodes);
+        CHECK(asset.set().joinedNodes == set.joinedNodes);
+        CHECK(asset.fragment(2).material == "oak");
+        CHECK(asset.fragment(1).material.empty());
+    }
 }

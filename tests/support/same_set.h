@@ -21,11 +21,11 @@ bool sameLists(const std::vector<T>& a, const std::vector<T>& b, Same equal) {
 
 inline bool same(const Fragment& a, const Fragment& b) {
     return a.parent == b.parent && same(a.children, b.children) && a.level == b.level &&
-           a.name == b.name && a.mass == b.mass && a.volume == b.volume &&
-           a.centerOfMass == b.centerOfMass && a.inertiaDiagonal == b.inertiaDiagonal &&
-           a.inertiaOrientation == b.inertiaOrientation && same(a.hulls, b.hulls) &&
-           a.density == b.density && a.friction == b.friction && a.restitution == b.restitution &&
-           a.strength == b.strength && a.toughness == b.toughness;
+           a.name == b.name && a.material == b.material && a.mass == b.mass &&
+           a.volume == b.volume && a.centerOfMass == b.centerOfMass &&
+           a.inertiaDiagonal == b.inertiaDiagonal && a.inertiaOrientation == b.inertiaOrientation &&
+           same(a.hulls, b.hulls) && a.density == b.density && a.friction == b.friction &&
+           a.restitution == b.restitution && a.strength == b.strength && a.toughness == b.toughness;
 }
 
 inline bool same(const Bond& a, const Bond& b) {
@@ -37,6 +37,8 @@ inline bool same(const Bond& a, const Bond& b) {
 inline std::string whatDiffers(const FractureSet& a, const FractureSet& b) {
     if (a.name != b.name) return "name";
     if (a.node != b.node) return "node";
+    if (a.sameNodes != b.sameNodes) return "sameNodes";
+    if (a.joinedNodes != b.joinedNodes) return "joinedNodes";
     if (a.mesh != b.mesh) return "mesh";
     if (a.sourceHash != b.sourceHash) return "sourceHash";
     if (a.restPose.translation != b.restPose.translation) return "restPose.translation";

@@ -2,6 +2,8 @@
 #include "assembly/physics.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <span>
 #include <thread>
 
@@ -53,6 +55,18 @@ glm::dmat3 boxInertia(std::span<const glm::vec3> points, double volume) {
     return inertia;
 }
 
+/// The density of leaves together; where all are alike it is theirs to the bit.
+float meanDensity(const FractureSet& set, const Hierarchy& hierarchy, Range ranks, double mean) {
+    float low = std::numeric_limits<float>::max();
+    float high = 0;
+    for (uint32_t r = ranks.first; r < ranks.first + ranks.count; ++r) {
+        const float density = set.fragments[hierarchy.fragmentOfRank[r]].density;
+        low = std::min(low, density);
+        high = std::max(high, density);
+    }
+    return std::clamp(static_cast<float>(mean), low, high);
+}
+
 }  // namespace
 
 void assembleFragments(const Hierarchy& hierarchy, const PhysicsSettings& settings,
@@ -72,8 +86,7 @@ void assembleFragments(const Hierarchy& hierarchy, const PhysicsSettings& settin
     for (const Range level : hierarchy.levels) set.levels.push_back({level, ""});
 }
 
-uint32_t assembleMasses(const Hierarchy& hierarchy, const PhysicsSettings& settings,
-                        unsigned threads, FractureSet& set) {
+uint32_t assembleMasses(const Hierarchy& hierarchy, unsigned threads, FractureSet& set) {
     const size_t leafCount = hierarchy.leafOrder.size();
     std::vector<MassProperties> leaves(leafCount);
     std::vector<uint8_t> boxed(leafCount, 0);
@@ -84,13 +97,25 @@ uint32_t assembleMasses(const Hierarchy& hierarchy, const PhysicsSettings& setti
         boxed[rank] = 1;
         leaves[rank].inertia = boxInertia(usedPositions(set, fragment), leaves[rank].volume);
     });
+    // Weighed by their density from here on: what was a volume is a mass.
+    std::vector<double> volumes(leafCount);
+    for (size_t rank = 0; rank < leafCount; ++rank) {
+        volumes[rank] = leaves[rank].volume;
+        const double density = set.fragments[hierarchy.fragmentOfRank[rank]].density;
+        leaves[rank].volume *= density;
+        leaves[rank].inertia *= density;
+    }
     for (size_t f = 0; f < set.fragments.size(); ++f) {
-        const MassProperties whole = combine(
-            std::span(leaves).subspan(hierarchy.leaves[f].first, hierarchy.leaves[f].count));
-        const PrincipalAxes axes = principalAxes(whole.inertia * settings.density);
+        const Range range = hierarchy.leaves[f];
+        const MassProperties whole = combine(std::span(leaves).subspan(range.first, range.count));
+        const double volume = std::accumulate(volumes.begin() + range.first,
+                                              volumes.begin() + range.first + range.count, 0.0);
+        const PrincipalAxes axes = principalAxes(whole.inertia);
         Fragment& fragment = set.fragments[f];
-        fragment.volume = static_cast<float>(whole.volume);
-        fragment.mass = static_cast<float>(whole.volume * settings.density);
+        fragment.volume = static_cast<float>(volume);
+        fragment.mass = static_cast<float>(whole.volume);
+        if (fragment.children.count > 0)
+            fragment.density = meanDensity(set, hierarchy, range, whole.volume / volume);
         fragment.centerOfMass = whole.center;
         fragment.inertiaDiagonal = axes.diagonal;
         fragment.inertiaOrientation = axes.orientation;
@@ -113,8 +138,8 @@ void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSe
     }
 }
 
-void assembleBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings,
-                   double sheetTolerance, unsigned threads, FractureSet& set) {
+void assembleBonds(const Hierarchy& hierarchy, const BorderStrengths& lines, double sheetTolerance,
+                   unsigned threads, FractureSet& set) {
     std::vector<HiddenTriangle> hidden;
     std::vector<uint32_t> leafFragments = hierarchy.fragmentOfRank;
     std::sort(leafFragments.begin(), leafFragments.end());
@@ -139,8 +164,15 @@ void assembleBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings,
         bond.area = static_cast<float>(leafBond.area);
         bond.centroid = leafBond.centroid;
         bond.normal = leafBond.normal;
-        bond.strength = static_cast<float>(settings.strength);
-        bond.toughness = static_cast<float>(settings.toughness);
+        // The weaker of two materials gives way, unless a line says what holds there.
+        const Fragment& a = set.fragments[leafBond.a];
+        const Fragment& b = set.fragments[leafBond.b];
+        bond.strength = std::min(a.strength, b.strength);
+        bond.toughness = std::min(a.toughness, b.toughness);
+        if (const auto said = lines.find({leafBond.a, leafBond.b}); said != lines.end()) {
+            bond.strength = static_cast<float>(said->second.strengthOr(bond.strength));
+            bond.toughness = static_cast<float>(said->second.toughnessOr(bond.toughness));
+        }
         if (bond.area > 0) set.bonds.push_back(bond);
     }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "assembly/hierarchy.h"
+#include "assembly/line_strengths.h"
 #include "sherd/baker/recipe.h"
 #include "sherd/formats/fracture_set.h"
 
@@ -15,15 +16,14 @@ void assembleFragments(const Hierarchy& hierarchy, const PhysicsSettings& settin
 /// Leaves' masses come from their meshes, every coarser fragment's are the sums over its leaves, so
 /// nothing changes at a swap. A leaf whose mesh overlaps itself so much that its inertia is not
 /// that of any body gets that of its bounding box; returns how many.
-uint32_t assembleMasses(const Hierarchy& hierarchy, const PhysicsSettings& settings,
-                        unsigned threads, FractureSet& set);
+uint32_t assembleMasses(const Hierarchy& hierarchy, unsigned threads, FractureSet& set);
 
 /// One convex hull per fragment.
 void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSet& set);
 
 /// Between leaves: walls they share, and sheets that face each other within `sheetTolerance`
 /// metres.
-void assembleBonds(const Hierarchy& hierarchy, const PhysicsSettings& settings,
-                   double sheetTolerance, unsigned threads, FractureSet& set);
+void assembleBonds(const Hierarchy& hierarchy, const BorderStrengths& lines, double sheetTolerance,
+                   unsigned threads, FractureSet& set);
 
 }  // namespace sherd

@@ -39,6 +39,11 @@ class TriangleBvh {
         return closest(point, maxDistance, [](uint32_t) { return true; });
     }
 
+    /// visit(triangle, corners) for every triangle that may lie in boxes for which
+    /// `wants(low, high)` is true.
+    template <class Wants, class Visit>
+    void forEach(const Wants& wants, const Visit& visit) const;
+
   private:
     struct Node {
         glm::vec3 low, high;
@@ -59,6 +64,26 @@ class TriangleBvh {
     std::vector<Node> nodes_;
     std::vector<Item> items_;
 };
+
+template <class Wants, class Visit>
+void TriangleBvh::forEach(const Wants& wants, const Visit& visit) const {
+    if (nodes_.empty()) return;
+    std::array<uint32_t, kMaxDepth> stack;
+    size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        const uint32_t index = stack[--depth];
+        const Node& node = nodes_[index];
+        if (!wants(node.low, node.high)) continue;
+        if (node.count == 0) {
+            stack[depth++] = node.first;
+            stack[depth++] = index + 1;
+            continue;
+        }
+        for (uint32_t i = node.first; i < node.first + node.count; ++i)
+            visit(items_[i].triangle, items_[i].corners);
+    }
+}
 
 inline double TriangleBvh::distance2(const Node& node, const glm::dvec3& p) {
     double sum = 0;

@@ -90,6 +90,8 @@ Result<std::optional<Attribute>> readAttribute(const GltfSource& source,
     return std::optional<Attribute>(Attribute{semantic, data->components, std::move(data->values)});
 }
 
+}  // namespace
+
 Result<std::vector<glm::vec3>> readPositions(const GltfSource& source, int accessor,
                                              const PrimitiveContext& context) {
     const std::string user = context.pointer + "/attributes/POSITION";
@@ -120,52 +122,51 @@ Result<std::vector<glm::vec3>> readPositions(const GltfSource& source, int acces
     return positions;
 }
 
-Result<std::vector<Triangle>> readTriangles(const GltfSource& source,
-                                            const tinygltf::Primitive& primitive,
-                                            size_t vertexCount, const PrimitiveContext& context) {
-    std::vector<uint32_t> vertices;
+Result<std::vector<uint32_t>> readVertexOrder(const GltfSource& source,
+                                              const tinygltf::Primitive& primitive,
+                                              size_t vertexCount, const PrimitiveContext& context) {
     if (primitive.indices < 0) {
-        vertices.resize(vertexCount);
-        std::iota(vertices.begin(), vertices.end(), 0U);
-    } else {
-        auto indices = readIndices(source, primitive.indices, context.pointer + "/indices");
-        if (!indices) return tl::unexpected(indices.error());
-        vertices = std::move(*indices);
+        std::vector<uint32_t> all(vertexCount);
+        std::iota(all.begin(), all.end(), 0U);
+        return all;
     }
-    for (size_t i = 0; i < vertices.size(); ++i) {
-        if (vertices[i] < vertexCount) continue;
+    auto vertices = readIndices(source, primitive.indices, context.pointer + "/indices");
+    if (!vertices) return vertices;
+    for (size_t i = 0; i < vertices->size(); ++i) {
+        if ((*vertices)[i] < vertexCount) continue;
         return fail(ErrorCode::invalidData,
-                    "index " + std::to_string(i) + " is " + std::to_string(vertices[i]) +
+                    "index " + std::to_string(i) + " is " + std::to_string((*vertices)[i]) +
                         ", but there are " + std::to_string(vertexCount) + " vertices",
                     source.where("/accessors/" + std::to_string(primitive.indices)));
     }
-    if (primitive.mode == TINYGLTF_MODE_TRIANGLES && vertices.size() % 3 != 0) {
-        context.warnings->push_back(context.pointer +
-                                    ": the last triangle is incomplete; it was dropped");
-    }
-    return toTriangles(primitive.mode, vertices);
+    return vertices;
 }
 
-}  // namespace
+Result<void> refuseSkinned(const GltfSource& source, const tinygltf::Primitive& primitive,
+                           const PrimitiveContext& context) {
+    if (primitive.targets.empty() && !primitive.attributes.contains("JOINTS_0") &&
+        !primitive.attributes.contains("WEIGHTS_0")) {
+        return {};
+    }
+    return fail(ErrorCode::skinnedMesh,
+                "the mesh is skinned or morphed and has no single shape to break; apply the "
+                "pose in the modelling tool and export it as a static mesh",
+                source.where(context.pointer));
+}
 
 Result<std::optional<MeshPart>> readPrimitive(const GltfSource& source,
                                               const tinygltf::Primitive& primitive,
                                               const PrimitiveContext& context) {
-    const auto bad = [&](ErrorCode code, const std::string& message) {
-        return fail(code, message, source.where(context.pointer));
-    };
     if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-        return bad(ErrorCode::invalidData, "the primitive's mode is not one glTF defines");
+        return fail(ErrorCode::invalidData, "the primitive's mode is not one glTF defines",
+                    source.where(context.pointer));
     }
-    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
-        context.warnings->push_back(context.pointer + ": points and lines were left out");
-        return std::optional<MeshPart>();
+    if (primitive.mode == TINYGLTF_MODE_POINTS) {
+        context.warnings->push_back(context.pointer + ": points were left out");
     }
-    if (!primitive.targets.empty() || primitive.attributes.contains("JOINTS_0") ||
-        primitive.attributes.contains("WEIGHTS_0")) {
-        return bad(ErrorCode::skinnedMesh,
-                   "the mesh is skinned or morphed and has no single shape to break; apply the "
-                   "pose in the modelling tool and export it as a static mesh");
+    if (primitive.mode < TINYGLTF_MODE_TRIANGLES) return std::optional<MeshPart>();
+    if (auto ok = refuseSkinned(source, primitive, context); !ok) {
+        return tl::unexpected(ok.error());
     }
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) {
@@ -178,9 +179,13 @@ Result<std::optional<MeshPart>> readPrimitive(const GltfSource& source,
     auto positions = readPositions(source, position->second, context);
     if (!positions) return tl::unexpected(positions.error());
     part.positions = std::move(*positions);
-    auto triangles = readTriangles(source, primitive, part.positions.size(), context);
-    if (!triangles) return tl::unexpected(triangles.error());
-    part.triangles = std::move(*triangles);
+    auto vertices = readVertexOrder(source, primitive, part.positions.size(), context);
+    if (!vertices) return tl::unexpected(vertices.error());
+    if (primitive.mode == TINYGLTF_MODE_TRIANGLES && vertices->size() % 3 != 0) {
+        context.warnings->push_back(context.pointer +
+                                    ": the last triangle is incomplete; it was dropped");
+    }
+    part.triangles = toTriangles(primitive.mode, *vertices);
     for (const auto& [semantic, accessor] : primitive.attributes) {
         if (semantic == "POSITION") continue;
         auto attribute = readAttribute(source, semantic, accessor, part.positions.size(), context);

@@ -241,6 +241,7 @@ Result<GltfSource> parseGltfSource(const GltfDocument& document, const std::stri
     source.document = &document;
     source.name = name;
     if (full.contains("materials")) source.materialCount = full["materials"].size();
+    source.pictures = readMaterialPictures(full);
     std::string error;
     std::string warning;
     try {

@@ -4,7 +4,9 @@
 #include <tiny_gltf.h>
 
 #include <string>
+#include <vector>
 
+#include "import/texture_placement.h"
 #include "sherd/formats/gltf_document.h"
 #include "sherd/formats/result.h"
 
@@ -17,6 +19,7 @@ struct GltfSource {
     std::string name;                        ///< file name, for errors
     tinygltf::Model model;                   ///< no images, buffers, materials, animations
     size_t materialCount = 0;
+    std::vector<MaterialPicture> pictures;  ///< per material
 
     /// "lamp.glb#/accessors/3"
     std::string where(const std::string& pointer) const { return name + "#" + pointer; }

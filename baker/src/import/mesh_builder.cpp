@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <utility>
@@ -64,8 +65,31 @@ void turnDirections(Attribute& attribute, const glm::dmat3& matrix) {
     }
 }
 
-void applyDeform(MeshPart& part, const glm::dmat3& deform) {
-    for (glm::vec3& p : part.positions) p = glm::vec3(deform * glm::dvec3(p));
+/// The spacing of a grid far below what floats of the part's size resolve (2^-24 of it), and above
+/// what doubles lose in moving it (some 2^-52). Rounding to it makes of 1e-17 the 0 it stands for:
+/// nearest to zero floats would tell them apart, and corners of parts that meet would not be one.
+double noiseGrid(const MeshPart& part) {
+    double size = 0;
+    for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(part.offset[k]));
+    for (const glm::vec3& p : part.positions) {
+        const glm::dvec3 moved = part.linear * glm::dvec3(p);
+        for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(moved[k]));
+    }
+    return std::ldexp(1.0, std::ilogb(size) - 43);
+}
+
+/// Leaves every bit of a part that is in the object's frame already.
+void applyPlacement(MeshPart& part) {
+    const glm::dmat3& deform = part.linear;
+    const bool turned = deform != glm::dmat3(1.0);
+    if (!turned && part.offset == glm::dvec3(0.0)) return;
+    const double grid = part.offset == glm::dvec3(0.0) ? 0 : noiseGrid(part);
+    for (glm::vec3& p : part.positions) {
+        glm::dvec3 moved = deform * glm::dvec3(p) + part.offset;
+        if (grid > 0) moved = grid * glm::round(moved / grid);
+        p = glm::vec3(moved);
+    }
+    if (!turned) return;
     if (Attribute* normal = find(part, "NORMAL")) {
         turnDirections(*normal, glm::transpose(glm::inverse(deform)));
     }
@@ -190,8 +214,13 @@ void append(const MeshPart& part, size_t vertexCount, Attribute& to,
         return;
     }
     if (from == nullptr) {
+        // All in one point of the UV set: no drawn line passes through such triangles.
+        const bool uv = to.semantic.starts_with("TEXCOORD_");
         warnings.push_back("a primitive of material " + std::to_string(part.material) + " has no " +
-                           to.semantic + "; it was given default values");
+                           to.semantic +
+                           (uv ? ": lines drawn in that UV set do not cut its " +
+                                     std::to_string(part.triangles.size()) + " triangles"
+                               : "; it was given default values"));
     }
     for (size_t v = 0; v < vertexCount; ++v) {
         for (uint32_t k = 0; k < to.components; ++k) {
@@ -211,13 +240,13 @@ uint32_t materialSlot(SurfaceMesh& mesh, int32_t material) {
 
 }  // namespace
 
-void joinParts(std::vector<MeshPart> parts, const glm::dmat3& deform, SurfaceMesh& mesh) {
+void joinParts(std::vector<MeshPart> parts, SurfaceMesh& mesh) {
     PositionWelder welder(mesh.positions);
     std::vector<std::vector<uint32_t>> positionIds(parts.size());
     for (size_t p = 0; p < parts.size(); ++p) {
         MeshPart& part = parts[p];
         dropUnusedVertices(part);
-        if (deform != glm::dmat3(1.0)) applyDeform(part, deform);
+        applyPlacement(part);
         mend(part, mesh.warnings);
         positionIds[p] = welder.add(part.positions);
         if (find(part, "NORMAL") == nullptr) makeFlat(part, positionIds[p]);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
-#include <optional>
 
 namespace sherd {
 namespace {
@@ -146,23 +145,38 @@ Result<std::vector<int>> nodeParents(const GltfSource& source) {
     return parents;
 }
 
-Result<NodeTransform> globalTransform(const GltfSource& source, const std::vector<int>& parents,
-                                      int node) {
+Result<NodeTransform> GlobalTransforms::of(int node) {
     std::vector<int> chain;
-    for (int n = node; n != -1; n = parents[static_cast<size_t>(n)]) chain.push_back(n);
     NodeTransform global;
+    for (int n = node; n != -1; n = parents_[static_cast<size_t>(n)]) {
+        if (const auto& known = known_[static_cast<size_t>(n)]) {
+            global = *known;
+            break;
+        }
+        chain.push_back(n);
+    }
     std::reverse(chain.begin(), chain.end());
     for (const int link : chain) {
-        const auto local = localTransform(source.model.nodes[static_cast<size_t>(link)]);
+        const auto local = localTransform(source_.model.nodes[static_cast<size_t>(link)]);
         if (local) global = compose(global, *local);
         if (!local || !isUsable(global)) {
             return fail(ErrorCode::invalidData,
                         "the node's transform flattens the object or is not finite; apply the "
                         "transform in the modelling tool and export again",
-                        source.where("/nodes/" + std::to_string(link)));
+                        source_.where("/nodes/" + std::to_string(link)));
         }
+        known_[static_cast<size_t>(link)] = global;
     }
     return global;
+}
+
+Placement relativeTo(const NodeTransform& frame, const NodeTransform& of) {
+    const glm::dquat back = glm::conjugate(frame.rotation);
+    Placement out{of.deform, back * (of.translation - frame.translation)};
+    if (of.rotation != frame.rotation) {
+        out.linear = glm::mat3_cast(glm::normalize(back * of.rotation)) * of.deform;
+    }
+    return out;
 }
 
 }  // namespace sherd

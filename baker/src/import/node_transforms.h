@@ -4,6 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "import/gltf_source.h"
@@ -22,8 +23,27 @@ struct NodeTransform {
 /// Parent of every node, -1 for roots. Refuses two parents, cycles and children out of range.
 Result<std::vector<int>> nodeParents(const GltfSource& source);
 
-/// From the node's own coordinates to the scene's.
-Result<NodeTransform> globalTransform(const GltfSource& source, const std::vector<int>& parents,
-                                      int node);
+/// From a node's own coordinates to the scene's, each node worked out once.
+class GlobalTransforms {
+  public:
+    /// Both outlive this.
+    GlobalTransforms(const GltfSource& source, const std::vector<int>& parents)
+        : source_(source), parents_(parents), known_(parents.size()) {}
+
+    Result<NodeTransform> of(int node);
+
+  private:
+    const GltfSource& source_;
+    const std::vector<int>& parents_;
+    std::vector<std::optional<NodeTransform>> known_;
+};
+
+/// `of` seen from the rigid frame of `frame`, as linear * x + offset. With equal rotations nothing
+/// is rotated, so that bit-equal vertices stay so.
+struct Placement {
+    glm::dmat3 linear{1.0};
+    glm::dvec3 offset{0.0};
+};
+Placement relativeTo(const NodeTransform& frame, const NodeTransform& of);
 
 }  // namespace sherd

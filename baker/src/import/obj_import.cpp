@@ -8,6 +8,7 @@
 
 #include "import/mesh_builder.h"
 #include "import/obj_document.h"
+#include "import/obj_lines.h"
 #include "import/obj_materials.h"
 #include "import/obj_parse.h"
 #include "import/polygon_triangulation.h"
@@ -166,7 +167,8 @@ Result<Model> importObj(std::string_view text, const std::filesystem::path& path
     mesh.mesh = 0;
     mesh.name = file->objectName.empty() ? path.stem().string() : file->objectName;
     mesh.warnings = std::move(file->warnings);
-    joinParts(std::move(*parts), glm::dmat3(1.0), mesh);
+    mesh.lines = makeObjLines(*file, name, mesh.warnings);
+    joinParts(std::move(*parts), mesh);
     const std::string uv = "TEXCOORD_" + std::to_string(options.uvSet);
     if (findAttribute(mesh.attributes, uv) != nullptr) mesh.uvSemantic = uv;
     const auto materials = loadObjMaterials(file->materialNames, file->materialFiles,

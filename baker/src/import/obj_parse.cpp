@@ -26,7 +26,7 @@ class ObjParser {
         if (auto ok = checkIndices(); !ok) return tl::unexpected(ok.error());
         if (leftOut_ > 0) {
             file_.warnings.push_back(std::to_string(leftOut_) +
-                                     " points, lines, curves or free-form surfaces were left out");
+                                     " points, curves or free-form surfaces were left out");
         }
         return std::move(file_);
     }
@@ -45,15 +45,18 @@ class ObjParser {
         if (word == "vt") return uv();
         if (word == "vn") return normal();
         if (word == "f" || word == "fo") return face();
+        if (word == "l") return line();
         if (word == "usemtl") {
             material_ = materialIndex(cursor_.rest());
         } else if (word == "mtllib") {
             const std::string file = cursor_.rest();
             if (!file.empty()) file_.materialFiles.push_back(file);
-        } else if (word == "o" && file_.objectName.empty()) {
-            file_.objectName = cursor_.rest();
-        } else if (word == "p" || word == "l" || word == "curv" || word == "curv2" ||
-                   word == "surf") {
+        } else if (word == "o") {
+            group_ = {cursor_.rest(), {}};
+            if (file_.objectName.empty()) file_.objectName = group_.object;
+        } else if (word == "g") {
+            group_.group = cursor_.rest();
+        } else if (word == "p" || word == "curv" || word == "curv2" || word == "surf") {
             ++leftOut_;
         }
         return {};
@@ -126,6 +129,30 @@ class ObjParser {
         return {};
     }
 
+    Result<void> line() {
+        ObjFile::Line line;
+        line.line = cursor_.line();
+        line.corners.first = static_cast<uint32_t>(file_.corners.size());
+        while (!cursor_.atLineEnd()) {
+            ObjFile::Corner corner;
+            if (!readCorner(cursor_.word(), corner) || corner.normal != ObjFile::kNone) {
+                return malformed("a point of a line must be v or v/vt, none of them 0");
+            }
+            file_.corners.push_back(corner);
+        }
+        line.corners.count = static_cast<uint32_t>(file_.corners.size()) - line.corners.first;
+        if (line.corners.count < 2) return malformed("a line needs at least two points");
+        if (file_.corners.size() > 3 * kMaxImportElements) {
+            return bad(ErrorCode::limitExceeded, "too many lines; split the model", line.line);
+        }
+        if (file_.lineGroups.empty() || file_.lineGroups.back() != group_) {
+            file_.lineGroups.push_back(group_);
+        }
+        line.group = static_cast<uint32_t>(file_.lineGroups.size()) - 1;
+        file_.lines.push_back(line);
+        return {};
+    }
+
     bool readCorner(std::string_view word, ObjFile::Corner& corner) const {
         const char* at = word.data();
         const char* end = at + word.size();
@@ -169,6 +196,18 @@ class ObjParser {
                            face.line);
             }
         }
+        for (const ObjFile::Line& line : file_.lines) {
+            for (uint32_t c = 0; c < line.corners.count; ++c) {
+                const ObjFile::Corner& corner = file_.corners[line.corners.first + c];
+                if (corner.position < file_.positions.size() && ok(corner.uv, file_.uvs.size())) {
+                    continue;
+                }
+                return bad(ErrorCode::invalidData,
+                           "the line refers to a vertex or texture coordinate that does not "
+                           "exist; the file may be truncated",
+                           line.line);
+            }
+        }
         return {};
     }
 
@@ -177,6 +216,7 @@ class ObjParser {
     TextCursor cursor_;
     std::string name_;
     ObjFile file_;
+    ObjFile::LineGroup group_;
     std::unordered_map<std::string, uint32_t> materials_;
     uint32_t material_ = ObjFile::kNone;
     size_t leftOut_ = 0;

@@ -29,6 +29,19 @@ struct ObjFile {
         size_t line = 0;
     };
 
+    /// An `l` element: a polyline.
+    struct Line {
+        Range corners;       ///< into corners; normals are never given
+        uint32_t group = 0;  ///< into lineGroups
+        size_t line = 0;
+    };
+    /// Where lines stand in the file: under which `o` and `g`. A new `o` ends the group.
+    struct LineGroup {
+        std::string object;
+        std::string group;
+        bool operator==(const LineGroup& o) const = default;
+    };
+
     std::string objectName;  ///< of the first `o`; may be empty
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> colors;  ///< one per position, or empty
@@ -36,6 +49,8 @@ struct ObjFile {
     std::vector<glm::vec3> normals;
     std::vector<Corner> corners;
     std::vector<Face> faces;
+    std::vector<Line> lines;
+    std::vector<LineGroup> lineGroups;
     std::vector<std::string> materialNames;
     std::vector<std::string> materialFiles;
     std::vector<std::string> warnings;

@@ -2,9 +2,11 @@
 #include "interior/piece_mending.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "interior/hidden_points.h"
+#include "interior/thin_shell.h"
 #include "physics/mass_properties.h"
 
 namespace sherd {
@@ -67,6 +69,22 @@ void thin(const SplitSurface& surface, const Components& components, const Insid
     }
 }
 
+/// Gives the pieces a shell: a share of the way through the solid, no deeper than the piece is
+/// wide.
+void shell(const SplitSurface& surface, const Components& components, const ThinShell& below,
+           std::span<const uint32_t> leaves, double share, std::vector<glm::vec3>& hidden) {
+    const std::vector<double> areas = leafAreas(surface, components);
+    std::vector<double> deepest(components.leafCount, 0);
+    for (const uint32_t leaf : leaves) deepest[leaf] = 0.25 * std::sqrt(areas[leaf]);
+    std::vector<double> reach(surface.positions.size(), 0);
+    for (size_t t = 0; t < surface.triangles.size(); ++t) {
+        for (const uint32_t v : surface.triangles[t].v)
+            reach[v] = std::max(reach[v], deepest[components.leaf[t]]);
+    }
+    for (uint32_t v = 0; v < reach.size(); ++v)
+        if (reach[v] > 0) hidden[v] = below.below(v, share, reach[v]);
+}
+
 }  // namespace
 
 MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topology,
@@ -82,6 +100,17 @@ MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topolog
         leaves = measure(surface, components, result.faces, hidden);
         empty = emptyLeaves(leaves);
     }
+    if (!empty.empty()) {
+        const ThinShell below(surface, inside);
+        const auto before = static_cast<uint32_t>(empty.size());
+        for (const double share : {0.4, 0.1, 0.02}) {
+            if (empty.empty()) break;
+            shell(surface, components, below, empty, share, hidden);
+            leaves = measure(surface, components, result.faces, hidden);
+            empty = emptyLeaves(leaves);
+        }
+        result.shelled = before - std::min(before, static_cast<uint32_t>(empty.size()));
+    }
     while (!empty.empty() && components.leafCount > 1) {
         const std::vector<uint32_t> best = bestNeighbours(surface, topology, components);
         const auto largest = static_cast<uint32_t>(
@@ -90,14 +119,13 @@ MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topolog
             leaves.begin());
         std::vector<uint32_t> into(components.leafCount);
         std::iota(into.begin(), into.end(), 0U);
-        const std::vector<double> areas = leafAreas(surface, components);
-        const std::vector<glm::dvec3> places = placesOfLeaves(surface, components);
+        const std::vector<MergedLeaf> places = placesOfLeaves(surface, components);
         bool changed = false;
         for (const uint32_t leaf : empty) {
             // A closed part turned inwards is a hollow in the part around it.
             into[leaf] = best[leaf] == kNone ? largest : best[leaf];
             if (into[leaf] == leaf) continue;
-            result.merged.push_back({areas[leaf], places[leaf]});
+            result.merged.push_back(places[leaf]);
             changed = true;
         }
         if (!changed) break;

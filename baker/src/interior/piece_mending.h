@@ -13,15 +13,16 @@ namespace sherd {
 
 struct MendedPieces {
     uint32_t thinned = 0;            ///< pieces whose hidden points were moved towards the surface
+    uint32_t shelled = 0;            ///< of these, pieces that got a shell instead
     std::vector<MergedLeaf> merged;  ///< pieces that had no volume even so
     uint32_t empty = 0;              ///< pieces without volume that could not even be merged
     std::vector<HiddenFace> faces;   ///< the stitched hidden faces of the final leaves
 };
 
 /// For a piece of no positive volume its hidden points go back towards the surface by halves, at
-/// most six times; failing that it is merged into the neighbour with the longest border. Changes
-/// `hidden` and `components`; what is left afterwards has positive volume, unless the whole object
-/// has none.
+/// most six times; failing that it gets a shell of even thickness; failing that it is merged into
+/// the neighbour with the longest border. Changes `hidden` and `components`; what is left
+/// afterwards has positive volume, unless the whole object has none.
 MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topology,
                         const InsideTest& inside, std::vector<glm::vec3>& hidden,
                         Components& components);

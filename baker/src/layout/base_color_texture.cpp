@@ -97,7 +97,9 @@ std::string baseColorTexture(const GltfDocument& document, const SurfaceMesh& me
         const Json& texture = at(at(json, "textures"), at(info, "index"));
         const Json& image = at(at(json, "images"), at(texture, "source"));
         if (image.is_null()) continue;
-        const Json& set = at(info, "texCoord");
+        const Json& overriding =
+            at(at(at(info, "extensions"), "KHR_texture_transform"), "texCoord");
+        const Json& set = overriding.is_null() ? at(info, "texCoord") : overriding;
         const uint64_t uvSet = set.is_number_unsigned() ? set.get<uint64_t>() : 0;
         if (mesh.uvSemantic == "TEXCOORD_" + std::to_string(uvSet))
             return imageUri(document, json, image, warnings);

@@ -123,6 +123,17 @@ std::string levelLayers() {
     return out;
 }
 
+void reportTiles(const UvWireframe& wireframe, Layout& layout) {
+    if (wireframe.fromOtherTiles > 0)
+        layout.warnings.push_back(std::to_string(wireframe.fromOtherTiles) +
+                                  " triangles lie in other tiles of their repeating texture; they "
+                                  "are drawn in the one tile of this page");
+    if (wireframe.beyondEdge > 0)
+        layout.warnings.push_back(std::to_string(wireframe.beyondEdge) +
+                                  " triangles lie beyond the edge of their clamped texture; they "
+                                  "are drawn where they lie, off the page");
+}
+
 }  // namespace
 
 Result<Layout> makeLayoutSvg(std::span<const SurfaceMesh> meshes, const LayoutOptions& options) {
@@ -146,6 +157,7 @@ Result<Layout> makeLayoutSvg(std::span<const SurfaceMesh> meshes, const LayoutOp
                     meshes.empty() ? "" : "mesh \"" + meshes.front().name + "\"");
 
     const UvWireframe wireframe = uvWireframe(meshes);
+    reportTiles(wireframe, layout);
     const std::string size = std::to_string(options.resolution);
     layout.svg =
         head(size) + guideLayer(wireframe, options, size, layout) + levelLayers() + "</svg>\n";

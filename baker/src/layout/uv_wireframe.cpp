@@ -6,6 +6,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "layout/drawn_triangle.h"
+
 namespace sherd {
 
 namespace {
@@ -35,36 +37,51 @@ const Attribute* uvAttribute(const SurfaceMesh& mesh) {
     return mesh.uvSemantic.empty() ? nullptr : findAttribute(mesh.attributes, mesh.uvSemantic);
 }
 
+/// The mesh's triangles as they are drawn, those with points that are no numbers as they are.
+template <class Visit>
+void forEachDrawn(const SurfaceMesh& mesh, Visit visit) {
+    const Attribute* uv = uvAttribute(mesh);
+    if (uv == nullptr) return;
+    for (size_t t = 0; t < mesh.corners.size(); ++t) {
+        std::array<glm::vec2, 3> at{};
+        for (size_t k = 0; k < 3; ++k) at[k] = uvOf(*uv, mesh.corners[t][k]);
+        const uint32_t slot = t < mesh.triangleMaterials.size() ? mesh.triangleMaterials[t] : 0;
+        const DrawnTriangle drawn = drawnTriangle(
+            at, slot < mesh.placements.size() ? mesh.placements[slot] : TexturePlacement());
+        visit(t, drawn);
+    }
+}
+
+bool isFinite(glm::vec2 p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+}
+
 std::vector<glm::vec2> distinctPoints(std::span<const SurfaceMesh> meshes) {
     std::vector<glm::vec2> points;
     for (const SurfaceMesh& mesh : meshes) {
-        const Attribute* uv = uvAttribute(mesh);
-        if (uv == nullptr) continue;
-        for (const auto& corners : mesh.corners)
-            for (const uint32_t vertex : corners) {
-                const glm::vec2 p = uvOf(*uv, vertex);
-                if (std::isfinite(p.x) && std::isfinite(p.y)) points.push_back(p);
-            }
+        forEachDrawn(mesh, [&](size_t, const DrawnTriangle& drawn) {
+            for (const glm::vec2 p : drawn.points)
+                if (isFinite(p)) points.push_back(p);
+        });
     }
     std::sort(points.begin(), points.end(), PointLess());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
 }
 
-void addSides(const SurfaceMesh& mesh, uint64_t meshIndex, std::span<const glm::vec2> points,
+void addSides(const SurfaceMesh& mesh, uint64_t meshIndex, UvWireframe& wireframe,
               std::vector<Side>& sides) {
-    const Attribute* uv = uvAttribute(mesh);
-    if (uv == nullptr) return;
-    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::vector<glm::vec2>& points = wireframe.points;
+    forEachDrawn(mesh, [&](size_t t, const DrawnTriangle& drawn) {
         std::array<uint32_t, 3> at{};
-        bool finite = true;
         for (size_t k = 0; k < 3; ++k) {
-            const glm::vec2 p = uvOf(*uv, mesh.corners[t][k]);
-            finite = finite && std::isfinite(p.x) && std::isfinite(p.y);
+            const glm::vec2 p = drawn.points[k];
+            if (!isFinite(p)) return;
             const auto found = std::lower_bound(points.begin(), points.end(), p, PointLess());
             at[k] = static_cast<uint32_t>(found - points.begin());
         }
-        if (!finite) continue;
+        wireframe.fromOtherTiles += drawn.where == DrawnWhere::anotherTile ? 1 : 0;
+        wireframe.beyondEdge += drawn.where == DrawnWhere::beyondEdge ? 1 : 0;
         for (size_t k = 0; k < 3; ++k) {
             const size_t next = (k + 1) % 3;
             if (at[k] == at[next]) continue;
@@ -77,7 +94,7 @@ void addSides(const SurfaceMesh& mesh, uint64_t meshIndex, std::span<const glm::
             }
             sides.push_back(side);
         }
-    }
+    });
 }
 
 }  // namespace
@@ -86,7 +103,7 @@ UvWireframe uvWireframe(std::span<const SurfaceMesh> meshes) {
     UvWireframe out;
     out.points = distinctPoints(meshes);
     std::vector<Side> sides;
-    for (size_t m = 0; m < meshes.size(); ++m) addSides(meshes[m], m, out.points, sides);
+    for (size_t m = 0; m < meshes.size(); ++m) addSides(meshes[m], m, out, sides);
     std::sort(sides.begin(), sides.end());
     // Charts may lie on top of each other: the edge is drawn once, as a border if it is one of any.
     for (size_t first = 0; first < sides.size();) {

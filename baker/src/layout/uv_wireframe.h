@@ -11,11 +11,14 @@
 
 namespace sherd {
 
-/// The distinct edges of the meshes in UV: each is drawn once, however many triangles use it.
+/// The distinct edges of the meshes on the picture (drawn_triangle.h): each is drawn once, however
+/// many triangles use it.
 struct UvWireframe {
     std::vector<glm::vec2> points;                 ///< sorted, distinct
     std::vector<std::array<uint32_t, 2>> borders;  ///< of one triangle only: where a chart ends
     std::vector<std::array<uint32_t, 2>> inner;
+    size_t fromOtherTiles = 0;  ///< triangles moved onto the picture by whole tiles
+    size_t beyondEdge = 0;      ///< triangles beyond the edge of a clamped texture
 };
 
 /// Meshes without texture coordinates, and edges without length in UV, give nothing.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Sherd's own map format: formats/spec/fracture_map/README.md.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "map/json_fields.h"
 #include "map/map_limits.h"
+#include "map/nurbs.h"
 #include "map/svg_curves.h"
 
 namespace sherd {
@@ -15,210 +16,267 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// What every line has, drawn or over the surface, and "defaults" too.
+struct LineSettings {
+    uint32_t level = 1;
+    LineProperties properties = {};
+    bool closed = false;
+    std::string source = {};
+};
+
 /// Reads a parsed document; the first mistake ends it, with the JSON pointer of the culprit.
 class JsonMapReader {
   public:
     JsonMapReader(const Json& document, const std::string& name, const MapReadOptions& options)
-        : document_(document), name_(name), options_(options) {}
+        : document_{document, ""}, name_(name), tolerance_(options.tolerance), fields_(name) {
+        defaults_.level = options.level;
+    }
 
     Result<FractureMap> read() {
-        if (!readDocument()) return tl::unexpected(std::move(error_));
-        if (map_.lines.empty())
+        if (!readDocument()) return tl::unexpected(fields_.takeError());
+        if (map_.empty())
             return fail(ErrorCode::emptyMap,
                         "the map holds no line to break along; give it \"lines\", or \"nodes\" and "
                         "\"edges\"",
                         name_);
+        map_.warnings = fields_.takeWarnings();
         return std::move(map_);
     }
 
   private:
-    bool stop(ErrorCode code, std::string message, const std::string& pointer) {
-        error_ = {code, std::move(message), name_ + "#" + pointer};
-        return false;
-    }
-    bool wrong(std::string message, const std::string& pointer) {
-        return stop(ErrorCode::invalidData, std::move(message), pointer);
-    }
-
     bool readDocument() {
-        if (!document_.is_object() || !document_.contains("sherdMap"))
-            return stop(ErrorCode::malformed,
-                        "not a Sherd fracture map: an object with \"sherdMap\": 1 was expected",
-                        "");
-        const Json& version = document_["sherdMap"];
+        const Json& document = document_.value;
+        if (!document.is_object() || !document.contains("sherdMap"))
+            return fields_.stop(
+                ErrorCode::malformed,
+                "not a Sherd fracture map: an object with \"sherdMap\": 1 was expected", "");
+        const Json& version = document["sherdMap"];
         if (!version.is_number_integer() || version != 1)
-            return stop(ErrorCode::unsupported, "only version 1 of the map format is known",
-                        "/sherdMap");
-        warnUnknown(document_, {"sherdMap", "$schema", "comment", "lines", "nodes", "edges"}, "");
-        return readLines() && readGraph();
+            return fields_.stop(ErrorCode::unsupported, "only version 1 of the map format is known",
+                                "/sherdMap");
+        fields_.warnUnknown(document_, {"sherdMap", "$schema", "comment", "defaults", "lines",
+                                        "nodes", "edges", "labels"});
+        return readDefaults() && readLines() && readGraph() && readLabels();
     }
 
-    void warnUnknown(const Json& object, std::initializer_list<std::string_view> known,
-                     const std::string& pointer) {
-        for (const auto& [key, value] : object.items()) {
-            if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-            std::string warning = name_ + "#" + pointer;
-            warning.append(": unknown member \"").append(key).append("\" passed over");
-            map_.warnings.push_back(std::move(warning));
-        }
+    bool readDefaults() {
+        if (!document_.value.contains("defaults")) return true;
+        const JsonPlace defaults = document_.member("defaults");
+        if (!defaults.value.is_object())
+            return fields_.wrong("an object was expected", defaults.pointer);
+        fields_.warnUnknown(defaults, {"level", "strength", "toughness", "comment"});
+        return readSettings(defaults, defaults_);
     }
 
-    /// The array member `key`, an empty one if absent; null after an error.
-    const Json* arrayMember(const Json& object, const char* key, const std::string& pointer) {
-        static const Json kNone = Json::array();
-        const auto found = object.find(key);
-        if (found == object.end()) return &kNone;
-        if (found->is_array()) return &*found;
-        wrong("an array was expected", pointer + "/" + key);
-        return nullptr;
+    bool readSettings(const JsonPlace& object, LineSettings& out) {
+        return fields_.level(object, 1, out.level) &&
+               fields_.quantity(object, "strength", false, out.properties.strength) &&
+               fields_.quantity(object, "toughness", false, out.properties.toughness);
     }
 
     bool readLines() {
-        const Json* lines = arrayMember(document_, "lines", "");
-        if (lines == nullptr) return false;
-        for (size_t i = 0; i < lines->size(); ++i)
-            if (!readLine((*lines)[i], "/lines/" + std::to_string(i))) return false;
+        const std::optional<JsonPlace> lines = fields_.array(document_, "lines");
+        if (!lines) return false;
+        for (size_t i = 0; i < lines->value.size(); ++i)
+            if (!readLine(lines->item(i), i)) return false;
         return true;
     }
 
-    bool readLine(const Json& line, const std::string& pointer) {
-        if (!line.is_object()) return wrong("an object with \"points\" was expected", pointer);
-        warnUnknown(line, {"points", "curve", "closed", "level", "name", "comment"}, pointer);
-        if (!line.contains("points")) return wrong("the line has no \"points\"", pointer);
-        std::vector<glm::dvec2> points;
-        if (!readPoints(line, "points", pointer, points)) return false;
-        bool closed = false;
-        uint32_t level = options_.level;
+    bool readLine(const JsonPlace& line, size_t index) {
+        if (!line.value.is_object())
+            return fields_.wrong("an object with \"points\" was expected", line.pointer);
+        fields_.warnUnknown(line, {"points", "surface", "curve", "degree", "weights", "knots",
+                                   "closed", "level", "strength", "toughness", "name", "comment"});
+        if (!line.value.contains("points"))
+            return fields_.wrong("the line has no \"points\"", line.pointer);
+        LineSettings settings = defaults_;
         std::string name;
-        if (!readClosed(line, pointer, closed) || !readLevel(line, pointer, level) ||
-            !readName(line, pointer, name))
+        bool surface = false;
+        if (!fields_.flag(line, "closed", settings.closed) || !readSettings(line, settings) ||
+            !fields_.text(line, "name", name) || !fields_.flag(line, "surface", surface))
             return false;
-        const std::optional<Outline> outline = outlineOf(line, pointer, std::move(points), closed);
-        if (!outline) return false;
-        std::string source = name_ + ": line " + pointer.substr(pointer.rfind('/') + 1);
-        if (!name.empty()) source += " \"" + name + "\"";
-        return addOutline(*outline, level, std::move(source), pointer);
+        settings.source = name_ + ": line " + std::to_string(index);
+        if (!name.empty()) settings.source += " \"" + name + "\"";
+        return surface ? readSurfaceLine(line, settings) : readDrawnLine(line, settings);
     }
 
-    bool readClosed(const Json& line, const std::string& pointer, bool& closed) {
-        const auto found = line.find("closed");
-        if (found == line.end()) return true;
-        if (!found->is_boolean()) return wrong("true or false was expected", pointer + "/closed");
-        closed = found->get<bool>();
+    bool readSurfaceLine(const JsonPlace& line, const LineSettings& settings) {
+        if (line.value.value("curve", Json("line")) != "line")
+            return fields_.wrong(
+                "\"line\" was expected: a line over the surface is straight from place to place",
+                line.pointer + "/curve");
+        const std::optional<JsonPlace> points = fields_.array(line, "points");
+        if (!points) return false;
+        FractureMap::SurfaceLine out{{}, settings.level, settings.source, settings.properties};
+        for (size_t i = 0; i < points->value.size(); ++i)
+            if (!fields_.place(points->value[i], out.places.emplace_back(),
+                               points->item(i).pointer))
+                return false;
+        if (out.places.size() < 2)
+            return fields_.wrong("a line needs at least two points", points->pointer);
+        if (settings.closed) out.places.push_back(out.places.front());
+        map_.surfaceLines.push_back(std::move(out));
         return true;
     }
 
-    bool readLevel(const Json& line, const std::string& pointer, uint32_t& level) {
-        const auto found = line.find("level");
-        if (found == line.end()) return true;
-        if (!found->is_number_integer() || *found < 1 || *found > kMaxMapLevel)
-            return wrong("a level from 1 to " + std::to_string(kMaxMapLevel) + " was expected",
-                         pointer + "/level");
-        level = found->get<uint32_t>();
-        return true;
-    }
-
-    bool readName(const Json& line, const std::string& pointer, std::string& name) {
-        const auto found = line.find("name");
-        if (found == line.end()) return true;
-        if (!found->is_string()) return wrong("a string was expected", pointer + "/name");
-        name = found->get<std::string>();
-        return true;
-    }
-
-    bool readPoints(const Json& object, const char* key, const std::string& pointer,
-                    std::vector<glm::dvec2>& out) {
-        const Json* points = arrayMember(object, key, pointer);
-        if (points == nullptr) return false;
-        for (size_t i = 0; i < points->size(); ++i) {
-            const Json& point = (*points)[i];
-            if (!point.is_array() || point.size() != 2 || !point[0].is_number() ||
-                !point[1].is_number())
-                return wrong("a point [u, v] was expected",
-                             pointer + "/" + key + "/" + std::to_string(i));
-            out.emplace_back(point[0].get<double>(), point[1].get<double>());
-        }
-        return true;
-    }
-
-    std::optional<Outline> outlineOf(const Json& line, const std::string& pointer,
-                                     std::vector<glm::dvec2> points, bool closed) {
-        const Json curve = line.value("curve", Json("line"));
-        if (curve != "line" && curve != "bezier") {
-            wrong("\"line\" or \"bezier\" was expected", pointer + "/curve");
-            return std::nullopt;
-        }
-        if (points.size() < 2) {
-            wrong("a line needs at least two points", pointer + "/points");
-            return std::nullopt;
-        }
-        if (closed) points.push_back(points.front());
-        Outline outline{points.front(), {}, closed};
-        if (curve == "line") {
-            for (size_t i = 1; i < points.size(); ++i)
-                outline.pieces.push_back(linePiece(points[i]));
-            return outline;
-        }
-        if (points.size() % 3 != 1) {
-            wrong(closed ? "a closed cubic curve needs 3 n control points"
-                         : "a cubic curve needs 3 n + 1 control points",
-                  pointer + "/points");
-            return std::nullopt;
-        }
+    bool readDrawnLine(const JsonPlace& line, const LineSettings& settings) {
+        std::vector<glm::dvec2> points;
+        if (!readPoints(line, "points", points)) return false;
+        const Json curve = line.value.value("curve", Json("line"));
+        if (curve != "line" && curve != "bezier" && curve != "nurbs")
+            return fields_.wrong("\"line\", \"bezier\" or \"nurbs\" was expected",
+                                 line.pointer + "/curve");
+        for (const char* member : {"degree", "weights", "knots"})
+            if (curve != "nurbs" && line.value.contains(member))
+                fields_.warn(line.pointer, std::string("\"") + member +
+                                               "\" passed over: only a \"nurbs\" curve has it");
+        if (points.size() < 2)
+            return fields_.wrong("a line needs at least two points", line.pointer + "/points");
+        if (curve == "nurbs") return readNurbs(line, std::move(points), settings);
+        if (settings.closed) points.push_back(points.front());
+        if (curve == "line") return addPolyline(points, settings, line.pointer);
+        if (points.size() % 3 != 1)
+            return fields_.wrong(settings.closed ? "a closed cubic curve needs 3 n control points"
+                                                 : "a cubic curve needs 3 n + 1 control points",
+                                 line.pointer + "/points");
+        Outline outline{points.front(), {}, settings.closed};
         for (size_t i = 1; i < points.size(); i += 3)
             outline.pieces.push_back(cubicPiece(points[i], points[i + 1], points[i + 2]));
-        return outline;
+        return addOutline(outline, settings, line.pointer);
     }
 
-    bool addOutline(const Outline& outline, uint32_t level, std::string source,
+    bool readNurbs(const JsonPlace& line, std::vector<glm::dvec2> points,
+                   const LineSettings& settings) {
+        NurbsCurve curve;
+        curve.closed = settings.closed;
+        curve.points = std::move(points);
+        if (line.value.contains("degree")) {
+            const auto [value, pointer] = line.member("degree");
+            if (!value.is_number_integer() || value < 1 || value > kMaxNurbsDegree)
+                return fields_.wrong(
+                    "a degree from 1 to " + std::to_string(kMaxNurbsDegree) + " was expected",
+                    pointer);
+            curve.degree = value.get<size_t>();
+        }
+        for (const auto& [key, target] :
+             {std::pair("weights", &curve.weights), std::pair("knots", &curve.knots)}) {
+            if (!fields_.numbers(line, key, *target)) return false;
+            if (line.value.contains(key) && target->empty())
+                return fields_.wrong("numbers were expected; leave it out for the default",
+                                     line.pointer + "/" + key);
+        }
+        if (const std::optional<NurbsProblem> problem = checkNurbs(curve))
+            return fields_.wrong(problem->message, line.pointer + "/" + problem->member);
+        return addPoints(flattenNurbs(curve, tolerance_, kMaxMapPoints - points_), settings,
+                         line.pointer);
+    }
+
+    bool readPoints(const JsonPlace& object, const char* key, std::vector<glm::dvec2>& out) {
+        const std::optional<JsonPlace> points = fields_.array(object, key);
+        if (!points) return false;
+        for (size_t i = 0; i < points->value.size(); ++i)
+            if (!fields_.point(*points, i, out.emplace_back())) return false;
+        return true;
+    }
+
+    bool addPolyline(const std::vector<glm::dvec2>& points, const LineSettings& settings,
+                     const std::string& pointer) {
+        Outline outline{points.front(), {}, settings.closed};
+        for (size_t i = 1; i < points.size(); ++i) outline.pieces.push_back(linePiece(points[i]));
+        return addOutline(outline, settings, pointer);
+    }
+
+    bool addOutline(const Outline& outline, const LineSettings& settings,
                     const std::string& pointer) {
-        auto points = flatten(outline, {}, options_.tolerance, kMaxMapPoints - points_);
+        return addPoints(flatten(outline, {}, tolerance_, kMaxMapPoints - points_), settings,
+                         pointer);
+    }
+
+    bool addPoints(std::optional<std::vector<glm::dvec2>> points, const LineSettings& settings,
+                   const std::string& pointer) {
         if (!points)
-            return stop(ErrorCode::limitExceeded,
-                        "the map needs more than " + std::to_string(kMaxMapPoints) +
-                            " points at this tolerance; look at the size of this curve, or raise "
-                            "the tolerance",
-                        pointer);
+            return fields_.stop(ErrorCode::limitExceeded,
+                                "the map needs more than " + std::to_string(kMaxMapPoints) +
+                                    " points at this tolerance; look at the size of this curve, or "
+                                    "raise the tolerance",
+                                pointer);
         points_ += points->size();
         for (const glm::dvec2 p : *points)
             if (!std::isfinite(p.x) || !std::isfinite(p.y))
-                return wrong("a coordinate is too large for a number", pointer);
-        map_.lines.push_back({std::move(*points), level, std::move(source)});
+                return fields_.wrong("a coordinate is too large for a number", pointer);
+        map_.lines.push_back(
+            {std::move(*points), settings.level, settings.source, settings.properties});
         return true;
     }
 
     bool readGraph() {
         std::vector<glm::dvec2> nodes;
-        if (!readPoints(document_, "nodes", "", nodes)) return false;
-        const Json* edges = arrayMember(document_, "edges", "");
-        if (edges == nullptr) return false;
-        for (size_t i = 0; i < edges->size(); ++i) {
-            const std::string pointer = "/edges/" + std::to_string(i);
-            const Json& edge = (*edges)[i];
-            if (!edge.is_array() || edge.size() != 2)
-                return wrong("an edge [a, b] of two node indices was expected", pointer);
-            std::array<size_t, 2> ends{};
+        if (!readPoints(document_, "nodes", nodes)) return false;
+        const std::optional<JsonPlace> edges = fields_.array(document_, "edges");
+        if (!edges) return false;
+        for (size_t i = 0; i < edges->value.size(); ++i) {
+            const JsonPlace edge = edges->item(i);
+            if (!edge.value.is_array() || edge.value.size() != 2)
+                return fields_.wrong("an edge [a, b] of two node indices was expected",
+                                     edge.pointer);
+            std::vector<glm::dvec2> ends;
             for (size_t k = 0; k < 2; ++k) {
-                if (!edge[k].is_number_unsigned() || edge[k] >= nodes.size())
-                    return wrong("an index into \"nodes\" (0 to " +
-                                     std::to_string(nodes.empty() ? 0 : nodes.size() - 1) +
-                                     ") was expected",
-                                 pointer + "/" + std::to_string(k));
-                ends[k] = edge[k].get<size_t>();
+                const auto [index, pointer] = edge.item(k);
+                if (!index.is_number_unsigned() || index >= nodes.size())
+                    return fields_.wrong("an index into \"nodes\" (0 to " +
+                                             std::to_string(nodes.empty() ? 0 : nodes.size() - 1) +
+                                             ") was expected",
+                                         pointer);
+                ends.push_back(nodes[index.get<size_t>()]);
             }
-            if (!addOutline({nodes[ends[0]], {linePiece(nodes[ends[1]])}, false}, options_.level,
-                            name_ + ": edge " + std::to_string(i), pointer))
-                return false;
+            LineSettings settings = defaults_;
+            settings.source = name_ + ": edge " + std::to_string(i);
+            if (!addPolyline(ends, settings, edge.pointer)) return false;
         }
         return true;
     }
 
-    const Json& document_;
+    bool readLabels() {
+        const std::optional<JsonPlace> labels = fields_.array(document_, "labels");
+        if (!labels) return false;
+        if (labels->value.size() > kMaxMapLabels)
+            return fields_.stop(
+                ErrorCode::limitExceeded,
+                "the map holds more than " + std::to_string(kMaxMapLabels) + " labels",
+                labels->pointer);
+        for (size_t i = 0; i < labels->value.size(); ++i)
+            if (!readLabel(labels->item(i), i)) return false;
+        return true;
+    }
+
+    bool readLabel(const JsonPlace& label, size_t index) {
+        if (!label.value.is_object() || !label.value.contains("at"))
+            return fields_.wrong("an object with \"at\", the label's place, was expected",
+                                 label.pointer);
+        fields_.warnUnknown(label, {"at", "name", "material", "density", "strength", "toughness",
+                                    "anchor", "level", "comment"});
+        FractureMap::Label out;
+        if (!fields_.place(label.value["at"], out.place, label.pointer + "/at") ||
+            !fields_.text(label, "name", out.name) ||
+            !fields_.text(label, "material", out.material) ||
+            !fields_.quantity(label, "density", true, out.density) ||
+            !fields_.quantity(label, "strength", false, out.strength) ||
+            !fields_.quantity(label, "toughness", false, out.toughness) ||
+            !fields_.flag(label, "anchor", out.anchor) || !fields_.level(label, 0, out.level))
+            return false;
+        out.source = name_ + ": label " + std::to_string(index);
+        if (!out.name.empty()) out.source += " \"" + out.name + "\"";
+        map_.labels.push_back(std::move(out));
+        return true;
+    }
+
+    JsonPlace document_;
     const std::string& name_;
-    const MapReadOptions& options_;
+    double tolerance_;
+    JsonFields fields_;
+    LineSettings defaults_;
     FractureMap map_;
     size_t points_ = 0;
-    Error error_;
 };
 
 }  // namespace

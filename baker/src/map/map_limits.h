@@ -13,6 +13,7 @@ namespace sherd {
 
 inline constexpr size_t kMaxMapBytes = size_t{64} << 20;
 inline constexpr size_t kMaxMapPoints = 4'000'000;  ///< after flattening
+inline constexpr size_t kMaxMapLabels = 100'000;
 inline constexpr uint32_t kMaxMapLevel = 64;
 
 /// The text's size and the options' ranges.

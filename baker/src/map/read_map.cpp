@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "map/map_limits.h"
+#include "map/svg_color.h"
 
 namespace sherd {
 
@@ -25,7 +26,7 @@ std::string lowerExtension(const std::filesystem::path& path) {
     return extension;
 }
 
-Result<std::string> readText(const std::filesystem::path& path) {
+Result<std::string> readBytes(const std::filesystem::path& path) {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         return fail(ErrorCode::fileNotFound, "the fracture map does not exist", path.string());
@@ -51,19 +52,28 @@ Result<void> checkMapInput(std::string_view text, const std::string& name,
     if (!(options.tolerance >= 1e-8) || !(options.tolerance <= 1))
         return fail(ErrorCode::badArgument,
                     "the flattening tolerance must be from 1e-8 to 1 UV units", name);
+    ColorLevels colors;
+    for (const auto& [color, level] : options.levelOfColor)
+        if (const auto problem = colors.add(color, level))
+            return fail(ErrorCode::badArgument, "levels of colours: " + *problem, name);
     return {};
 }
 
 Result<FractureMap> readFractureMap(const std::filesystem::path& path,
                                     const MapReadOptions& options) {
     const std::string extension = lowerExtension(path);
-    if (extension != ".svg" && extension != ".json")
+    const bool bitmap = extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+    if (!bitmap && extension != ".svg" && extension != ".json")
         return fail(ErrorCode::unsupported,
-                    "fracture maps are read from .svg and .json files; this is neither",
+                    "fracture maps are read from .svg, .json, .png, .jpg and .jpeg files; this is "
+                    "none of them",
                     path.string());
-    const Result<std::string> text = readText(path);
+    const Result<std::string> text = readBytes(path);
     if (!text) return tl::unexpected(text.error());
     const std::string name = path.filename().string();
+    if (bitmap)
+        return readBitmapMap({reinterpret_cast<const uint8_t*>(text->data()), text->size()}, name,
+                             options);
     return extension == ".svg" ? readSvgMap(*text, name, options)
                                : readJsonMap(*text, name, options);
 }

@@ -3,29 +3,17 @@
 
 #include <algorithm>
 
+#include "map/map_text.h"
+
 namespace sherd {
 
 namespace {
 
-bool isSpace(char c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
-}
+constexpr size_t kMaxRules = 100'000;        ///< that say something of a property read here
+constexpr size_t kMaxRuleWork = 10'000'000;  ///< rules compared with elements: some seconds
 
-std::string_view trim(std::string_view text) {
-    while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
-    return text;
-}
-
-/// Calls `visit` for each part of `text` between separators.
-template <class Visit>
-void forEachPart(std::string_view text, char separator, const Visit& visit) {
-    while (!text.empty()) {
-        const size_t end = std::min(text.find(separator), text.size());
-        visit(trim(text.substr(0, end)));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-}
+constexpr std::array<const char*, kSvgPropertyCount> kPropertyNames = {
+    "display", "visibility", "opacity", "transform", "stroke", "color"};
 
 std::string withoutComments(std::string_view css) {
     std::string out;
@@ -49,26 +37,18 @@ size_t blockEnd(std::string_view css, size_t open) {
     return css.size();
 }
 
-/// The last value a declaration list gives to `property`, without "!important".
-std::string declared(std::string_view declarations, std::string_view property) {
-    std::string value;
-    forEachPart(declarations, ';', [&](std::string_view part) {
-        const size_t colon = part.find(':');
-        if (colon == std::string_view::npos || trim(part.substr(0, colon)) != property) return;
-        std::string_view found = part.substr(colon + 1);
-        value = trim(found.substr(0, found.find('!')));
-    });
-    return value;
-}
-
-bool hasClass(std::string_view list, std::string_view name) {
+/// The words of a class attribute, sorted, each once.
+std::vector<std::string_view> classesOf(std::string_view list) {
+    std::vector<std::string_view> classes;
     while (!(list = trim(list)).empty()) {
         size_t end = 0;
-        while (end < list.size() && !isSpace(list[end])) ++end;
-        if (list.substr(0, end) == name) return true;
+        while (end < list.size() && !isSpaceChar(list[end])) ++end;
+        classes.push_back(list.substr(0, end));
         list.remove_prefix(end);
     }
-    return false;
+    std::sort(classes.begin(), classes.end());
+    classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
+    return classes;
 }
 
 }  // namespace
@@ -82,13 +62,12 @@ void SvgStyleSheet::add(std::string_view css) {
     const std::string plain = withoutComments(css);
     std::string_view rest = plain;
     while (!(rest = trim(rest)).empty()) {
-        const size_t open = rest.find('{');
-        const size_t semicolon = rest.find(';');
-        if (rest.front() == '@' && semicolon < open) {  // @import and the like
-            rest.remove_prefix(semicolon + 1);
+        const size_t open = rest.find_first_of(rest.front() == '@' ? "{;" : "{");
+        if (open == std::string_view::npos) return;
+        if (rest[open] == ';') {  // @import and the like
+            rest.remove_prefix(open + 1);
             continue;
         }
-        if (open == std::string_view::npos) return;
         const size_t close = blockEnd(rest, open);
         if (rest.front() != '@')
             addRule(rest.substr(0, open), rest.substr(open + 1, close - open - 1));
@@ -96,10 +75,41 @@ void SvgStyleSheet::add(std::string_view css) {
     }
 }
 
+/// In a list, the last value of a property holds; "!important" is left out.
+std::vector<SvgStyleSheet::Declaration> SvgStyleSheet::parseDeclarations(std::string_view text) {
+    std::vector<Declaration> declarations;
+    forEachPart(text, ';', [&](std::string_view part) {
+        const size_t colon = part.find(':');
+        if (colon == std::string_view::npos) return;
+        const auto* const name =
+            std::find(kPropertyNames.begin(), kPropertyNames.end(), trim(part.substr(0, colon)));
+        const std::string_view value = trim(part.substr(colon + 1));
+        const std::string_view plain = trim(value.substr(0, value.find('!')));
+        if (name == kPropertyNames.end() || plain.empty()) return;
+        const auto property = static_cast<SvgProperty>(name - kPropertyNames.begin());
+        const auto same =
+            std::find_if(declarations.begin(), declarations.end(),
+                         [&](const Declaration& each) { return each.property == property; });
+        if (same == declarations.end())
+            declarations.push_back({property, std::string(plain)});
+        else
+            same->value = plain;
+    });
+    return declarations;
+}
+
 void SvgStyleSheet::addRule(std::string_view selectors, std::string_view declarations) {
+    const std::vector<Declaration> parsed = parseDeclarations(declarations);
+    if (parsed.empty()) return;
     forEachPart(selectors, ',', [&](std::string_view text) {
-        if (std::optional<Selector> selector = parseSelector(text))
-            rules_.push_back({std::move(*selector), std::string(declarations)});
+        std::optional<Selector> selector = parseSelector(text);
+        if (!selector) return;
+        if (rules_.size() >= kMaxRules) {
+            overflowed_ = true;
+            return;
+        }
+        rulesOf_[keyOf(*selector)].push_back(rules_.size());
+        rules_.push_back({std::move(*selector), parsed});
     });
 }
 
@@ -124,28 +134,81 @@ std::optional<SvgStyleSheet::Selector> SvgStyleSheet::parseSelector(std::string_
     return selector;
 }
 
-bool SvgStyleSheet::matches(const Selector& selector, const pugi::xml_node& node) {
-    if (!selector.type.empty() && selector.type != localName(node.name())) return false;
-    if (!selector.id.empty() && selector.id != node.attribute("id").value()) return false;
-    const std::string_view classes = node.attribute("class").value();
-    return std::all_of(selector.classes.begin(), selector.classes.end(),
-                       [&](const std::string& name) { return hasClass(classes, name); });
+/// What an element must have for the rule to be looked at: "#id", ".class", "type" or "*".
+std::string SvgStyleSheet::keyOf(const Selector& selector) {
+    if (!selector.id.empty()) return "#" + selector.id;
+    if (!selector.classes.empty()) return "." + selector.classes.front();
+    return selector.type.empty() ? "*" : selector.type;
 }
 
-std::string SvgStyleSheet::property(const pugi::xml_node& node, const char* property) const {
-    std::string value = declared(node.attribute("style").value(), property);
-    if (!value.empty()) return value;
-    size_t strongest = 0;
-    for (const Rule& rule : rules_) {
-        const size_t strength = rule.selector.specificity();
-        if (strength < strongest || !matches(rule.selector, node)) continue;
-        const std::string found = declared(rule.declarations, property);
-        if (found.empty()) continue;
-        value = found;
-        strongest = strength;
+/// What selectors ask of an element.
+struct SvgStyleSheet::Subject {
+    std::string_view type, id;
+    std::vector<std::string_view> classes;
+};
+
+bool SvgStyleSheet::matches(const Selector& selector, const Subject& subject) {
+    if (!selector.type.empty() && selector.type != subject.type) return false;
+    if (!selector.id.empty() && selector.id != subject.id) return false;
+    return std::all_of(
+        selector.classes.begin(), selector.classes.end(), [&](const std::string& name) {
+            return std::binary_search(subject.classes.begin(), subject.classes.end(), name);
+        });
+}
+
+/// The strongest value of each property so far; of equally strong ones the later rule's.
+struct SvgStyleSheet::Cascade {
+    struct Winner {
+        size_t specificity = 0;
+        size_t order = 0;
+        const std::string* value = nullptr;
+    };
+    std::array<Winner, kSvgPropertyCount> winners;
+
+    void offer(const Declaration& declaration, size_t specificity, size_t order) {
+        Winner& winner = winners[static_cast<size_t>(declaration.property)];
+        const bool weaker =
+            std::pair(specificity, order) < std::pair(winner.specificity, winner.order);
+        if (winner.value == nullptr || !weaker) winner = {specificity, order, &declaration.value};
     }
-    if (!value.empty()) return value;
-    return std::string(trim(node.attribute(property).value()));
+};
+
+void SvgStyleSheet::tryRules(const std::string& key, const Subject& subject,
+                             Cascade& cascade) const {
+    const auto found = rulesOf_.find(key);
+    if (found == rulesOf_.end()) return;
+    for (const size_t r : found->second) {
+        work_ += 1 + rules_[r].selector.classes.size();
+        if (work_ > kMaxRuleWork) {
+            overflowed_ = true;
+            return;
+        }
+        if (!matches(rules_[r].selector, subject)) continue;
+        for (const Declaration& declaration : rules_[r].declarations)
+            cascade.offer(declaration, rules_[r].selector.specificity(), r);
+    }
+}
+
+SvgStyle SvgStyleSheet::styleOf(const pugi::xml_node& node) const {
+    SvgStyle style;
+    for (size_t p = 0; p < kSvgPropertyCount; ++p)
+        style[static_cast<SvgProperty>(p)] = trim(node.attribute(kPropertyNames[p]).value());
+    if (!rules_.empty()) {
+        const Subject subject{localName(node.name()), node.attribute("id").value(),
+                              classesOf(node.attribute("class").value())};
+        Cascade cascade;
+        tryRules("*", subject, cascade);
+        tryRules(std::string(subject.type), subject, cascade);
+        if (!subject.id.empty()) tryRules("#" + std::string(subject.id), subject, cascade);
+        for (const std::string_view name : subject.classes)
+            tryRules("." + std::string(name), subject, cascade);
+        for (size_t p = 0; p < kSvgPropertyCount; ++p)
+            if (cascade.winners[p].value != nullptr)
+                style[static_cast<SvgProperty>(p)] = *cascade.winners[p].value;
+    }
+    for (Declaration& declaration : parseDeclarations(node.attribute("style").value()))
+        style[declaration.property] = std::move(declaration.value);
+    return style;
 }
 
 }  // namespace sherd

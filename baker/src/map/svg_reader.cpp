@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: MIT
-// SVG to fracture lines. Drawn shapes become lines; what is hidden, what is no line (text, images)
-// and the layout's guide layer are passed over. The root viewBox spans UV [0, 1]^2.
+// SVG to fracture lines and labels. Drawn shapes become lines; what is hidden, what is no line
+// (images, texts that are no label) and the layout's guide layer are passed over. The root viewBox
+// spans UV [0, 1]^2.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <map>
+#include <glm/common.hpp>
+#include <limits>
 #include <optional>
 #include <pugixml.hpp>
+#include <set>
 
 #include "map/map_limits.h"
-#include "map/svg_css.h"
+#include "map/svg_color.h"
+#include "map/svg_harvest.h"
+#include "map/svg_index.h"
+#include "map/svg_labels.h"
+#include "map/svg_line_style.h"
+#include "map/svg_names.h"
 #include "map/svg_shapes.h"
+#include "map/svg_viewport.h"
 #include "sherd/baker/fracture_map.h"
 
 namespace sherd {
@@ -19,68 +27,38 @@ namespace {
 
 constexpr size_t kMaxDepth = 256;           ///< nested groups and uses
 constexpr size_t kMaxElements = 2'000'000;  ///< visited; a `use` visits its target again
-
-/// "level 2", "Level_2", "level-2", "level2": the number, if it is from 1 to kMaxLevel.
-std::optional<uint32_t> levelOfName(std::string_view name) {
-    constexpr std::string_view kWord = "level";
-    if (name.size() <= kWord.size()) return std::nullopt;
-    for (size_t i = 0; i < kWord.size(); ++i)
-        if (std::tolower(static_cast<unsigned char>(name[i])) != kWord[i]) return std::nullopt;
-    size_t i = kWord.size();
-    while (i < name.size() && (name[i] == ' ' || name[i] == '_' || name[i] == '-')) ++i;
-    if (i == name.size() || name.size() - i > 3) return std::nullopt;
-    uint32_t level = 0;
-    for (; i < name.size(); ++i) {
-        if (name[i] < '0' || name[i] > '9') return std::nullopt;
-        level = 10 * level + static_cast<uint32_t>(name[i] - '0');
-    }
-    return level >= 1 && level <= kMaxMapLevel ? std::optional(level) : std::nullopt;
-}
-
-bool startsWith(std::string_view text, std::string_view start) {
-    return text.substr(0, start.size()) == start;
-}
-
-/// An attribute by its local name, whatever the prefix: href and xlink:href, inkscape:label.
-std::string_view attributeOf(const pugi::xml_node& node, std::string_view local) {
-    for (const pugi::xml_attribute& attribute : node.attributes())
-        if (localName(attribute.name()) == local) return attribute.value();
-    return {};
-}
-
-/// Belongs to the layer that `sherd-bake layout` draws for orientation.
-bool isGuide(const pugi::xml_node& node) {
-    return startsWith(node.name(), "sherd:") || node.attribute("data-sherd-guide") ||
-           startsWith(node.attribute("id").value(), "sherd-guide") ||
-           startsWith(attributeOf(node, "label"), "sherd guide");
-}
-
-/// Elements that never draw lines themselves; worth a word when they are there.
-bool isReported(std::string_view name) {
-    constexpr std::string_view kNames[] = {
-        "text",   "image",   "defs",   "clipPath",      "mask",           "symbol",
-        "marker", "pattern", "filter", "foreignObject", "linearGradient", "radialGradient"};
-    return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
-}
-
-bool isGroup(std::string_view name) {
-    return name == "g" || name == "a" || name == "switch";
-}
+constexpr size_t kElementBytes = 256;       ///< attributes that cost as much as another element
 
 /// What a node inherits.
 struct Context {
-    Affine transform;  ///< to UV
-    SvgViewport viewport;
-    uint32_t level = 1;
+    SvgFrame frame;
+    SvgLineStyle line;
     bool visible = true;
     size_t depth = 0;
 };
+
+/// Where the shapes of a label lie.
+struct Bounds {
+    glm::dvec2 low{std::numeric_limits<double>::infinity()};
+    glm::dvec2 high{-std::numeric_limits<double>::infinity()};
+};
+
+size_t attributeBytes(const pugi::xml_node& node) {
+    size_t bytes = 0;
+    for (const pugi::xml_attribute& attribute : node.attributes())
+        bytes += std::string_view(attribute.value()).size();
+    return bytes;
+}
 
 class SvgReader {
   public:
     SvgReader(const pugi::xml_document& document, const std::string& name,
               const MapReadOptions& options)
-        : root_(document.document_element()), name_(name), options_(options) {}
+        : root_(document.document_element()),
+          name_(name),
+          options_(options),
+          index_(root_),
+          harvest_(name, options.level) {}
 
     Result<FractureMap> read() {
         if (localName(root_.name()) != "svg")
@@ -88,74 +66,43 @@ class SvgReader {
                 ErrorCode::malformed,
                 "not an SVG drawing: the outermost element is <" + std::string(root_.name()) + ">",
                 name_);
-        index();
+        collectColors();
         const Result<Context> context = rootContext();
         if (!context) return tl::unexpected(context.error());
-        for (const pugi::xml_node& child : root_.children())
-            if (!visit(child, *context)) return tl::unexpected(std::move(*error_));
-        return finish();
+        if (!visitChildren(root_, *context)) return tl::unexpected(std::move(*error_));
+        return harvest_.finish();
     }
 
   private:
-    /// Ids and style sheets, before anything is drawn.
-    void index() {
-        struct Walker : pugi::xml_tree_walker {
-            explicit Walker(SvgReader& reader) : reader_(reader) {}
-            bool for_each(pugi::xml_node& node) override {
-                if (const pugi::xml_attribute id = node.attribute("id"))
-                    reader_.ids_.emplace(id.value(), node);
-                if (localName(node.name()) == "style")
-                    for (const pugi::xml_node& text : node.children())
-                        reader_.styles_.add(text.value());
-                return true;
-            }
-            SvgReader& reader_;
-        } walker(*this);
-        root_.traverse(walker);
+    /// The levels that colours choose: the options', then the drawing's own.
+    void collectColors() {
+        for (const auto& [color, level] : options_.levelOfColor) (void)colors_.add(color, level);
+        if (const auto problem = colors_.addList(root_.attribute("data-sherd-colors").value()))
+            harvest_.warn(root_, ": data-sherd-colors: " + *problem +
+                                     "; \"#ff0000:1 #00ff00:2\" was expected");
     }
 
-    Result<Context> rootContext() const {
-        std::optional<SvgViewBox> box = parseSvgViewBox(root_.attribute("viewBox").value());
-        if (!box) {
-            const double width = svgLength(root_, "width", 0, 0);
-            const double height = svgLength(root_, "height", 0, 0);
-            if (!(width > 0) || !(height > 0))
-                return fail(ErrorCode::invalidData,
-                            "the drawing says neither its viewBox nor its width and height; add "
-                            "viewBox=\"0 0 1 1\" (or the size of the texture) to <svg>",
-                            name_);
-            box = SvgViewBox{0, 0, width, height};
-        }
-        Context context;
-        context.transform = {1 / box->width,       0, 0, 1 / box->height, -box->x / box->width,
-                             -box->y / box->height};
-        context.viewport = {box->width, box->height};
-        context.level = options_.level;
+    Result<Context> rootContext() {
+        const std::optional<SvgFrame> frame = rootSvgFrame(root_);
+        if (!frame)
+            return fail(ErrorCode::invalidData,
+                        "the drawing says neither its viewBox nor its width and height; add "
+                        "viewBox=\"0 0 1 1\" (or the size of the texture) to <svg>",
+                        name_);
+        Context context{*frame, SvgLineStyle(options_.level)};
+        enterLineStyle(root_, index_.styles.styleOf(root_), context);
         return context;
     }
 
     bool stop(ErrorCode code, std::string message, const pugi::xml_node& node) {
-        error_ = Error{code, std::move(message), sourceOf(node)};
+        error_ = Error{code, std::move(message), harvest_.sourceOf(node)};
         return false;
     }
 
-    std::string sourceOf(const pugi::xml_node& node) const {
-        std::string source = name_ + ": " + std::string(localName(node.name()));
-        if (const pugi::xml_attribute id = node.attribute("id")) return source + " #" + id.value();
-        return source + " at byte " + std::to_string(node.offset_debug());
-    }
-
-    /// Draws a node and what is inside; false when reading must stop.
-    bool visit(const pugi::xml_node& node, const Context& parent) {
-        if (node.type() != pugi::node_element) return true;
-        const std::string_view full = node.name();
-        const std::string_view name = localName(full);
-        if (isGuide(node)) {
-            countStrays(node);
-            return true;
-        }
-        if (full != name && !startsWith(full, "svg:")) return true;  // the editor's own notes
-        if (++elements_ > kMaxElements)
+    /// Bounds the work; false when reading must stop.
+    bool count(const pugi::xml_node& node, const Context& parent) {
+        elements_ += 1 + attributeBytes(node) / kElementBytes;
+        if (elements_ > kMaxElements)
             return stop(ErrorCode::limitExceeded,
                         "the drawing holds more than " + std::to_string(kMaxElements) +
                             " elements, counting each use of a repeated one",
@@ -163,32 +110,46 @@ class SvgReader {
         if (parent.depth >= kMaxDepth)
             return stop(ErrorCode::limitExceeded,
                         "groups are nested deeper than " + std::to_string(kMaxDepth), node);
-        if (isReported(name)) {
-            if (name != "defs" || node.first_child()) ++ignored_[std::string(name)];
+        if (index_.styles.overflowed())
+            return stop(ErrorCode::limitExceeded,
+                        "the drawing's style sheets hold too many rules; save it with presentation "
+                        "attributes or inline styles",
+                        node);
+        return true;
+    }
+
+    /// Draws a node and what is inside; false when reading must stop.
+    bool visit(const pugi::xml_node& node, const Context& parent) {
+        if (node.type() != pugi::node_element) return true;
+        const std::string_view name = localName(node.name());
+        if (!count(node, parent)) return false;
+        if (isSvgGuide(node)) {
+            if (guides_.insert(node.internal_object()).second)
+                harvest_.stray(countStrayShapes(node));
+            return true;
+        }
+        if (isForeignSvgElement(node.name())) return true;
+        if (name == "text") return visitText(node, parent);
+        if (isReportedSvgElement(name)) {
+            if (name != "defs" || node.first_child()) harvest_.passOver(name);
             return true;
         }
         const bool shape = isSvgShape(name);
-        if (!shape && !isGroup(name) && name != "svg" && name != "use") return true;
+        if (!shape && !isSvgGroup(name) && name != "svg" && name != "use") return true;
         Context context = parent;
         ++context.depth;
         if (!enter(node, context)) return true;
-        if (shape) return draw(node, context);
-        if (name == "use") return visitUse(node, context);
-        if (name == "svg") enterViewport(node, context.viewport, true, context);
-        return visitChildren(node, context);
+        if (bounds_ == nullptr && name != "svg" && isSvgLabel(node))
+            return visitLabel(node, context);
+        return visitInside(node, context);
     }
 
-    /// Shapes in the guide layer that the layout did not put there: drawn in the wrong layer.
-    void countStrays(const pugi::xml_node& guide) {
-        struct Walker : pugi::xml_tree_walker {
-            bool for_each(pugi::xml_node& node) override {
-                if (isSvgShape(localName(node.name())) && !isGuide(node)) ++strays;
-                return true;
-            }
-            size_t strays = 0;
-        } walker;
-        pugi::xml_node(guide).traverse(walker);
-        strays_ += walker.strays;
+    bool visitInside(const pugi::xml_node& node, Context& context) {
+        const std::string_view name = localName(node.name());
+        if (isSvgShape(name)) return draw(node, context);
+        if (name == "use") return visitUse(node, context);
+        if (name == "svg") enterSvgViewport(node, context.frame.viewport, true, context.frame);
+        return visitChildren(node, context);
     }
 
     bool visitChildren(const pugi::xml_node& node, const Context& context) {
@@ -197,68 +158,50 @@ class SvgReader {
         return true;
     }
 
-    /// Takes in the node's visibility, level and transform; false if it draws nothing at all.
+    void enterLineStyle(const pugi::xml_node& node, const SvgStyle& style, Context& context) {
+        std::vector<std::string> problems;
+        context.line.enter(node, style, problems);
+        harvest_.warn(node, problems);
+    }
+
+    /// Takes in the node's visibility, line style and transform; false if it draws nothing at all.
     bool enter(const pugi::xml_node& node, Context& context) {
-        const std::string opacity = styles_.property(node, "opacity");
-        if (styles_.property(node, "display") == "none" ||
+        const SvgStyle style = index_.styles.styleOf(node);
+        const std::string& opacity = style[SvgProperty::opacity];
+        if (style[SvgProperty::display] == "none" ||
             (!opacity.empty() && parseSvgLength(opacity, 1) == 0.0)) {
-            ++hidden_;
+            harvest_.hide();
             return false;
         }
-        const std::string visibility = styles_.property(node, "visibility");
+        const std::string& visibility = style[SvgProperty::visibility];
         if (visibility == "hidden" || visibility == "collapse") context.visible = false;
         if (visibility == "visible") context.visible = true;
+        enterLineStyle(node, style, context);
 
-        std::optional<uint32_t> level = levelOfName(attributeOf(node, "label"));
-        if (!level) level = levelOfName(node.attribute("id").value());
-        if (level) context.level = *level;
-
-        std::string transform = styles_.property(node, "transform");
+        std::string transform = style[SvgProperty::transform];
         if (node.attribute("transform")) transform = node.attribute("transform").value();
         const std::optional<Affine> local = parseSvgTransform(transform);
         if (!local) {
-            warnings_.push_back(sourceOf(node) + " is left out: its transform cannot be read");
+            harvest_.warn(node, " is left out: its transform cannot be read");
             return false;
         }
-        context.transform = context.transform * *local;
+        context.frame.transform = context.frame.transform * *local;
         return true;
     }
 
-    /// A nested svg, or a symbol in use: its own viewport. `placed`: x and y count.
-    static void enterViewport(const pugi::xml_node& node, SvgViewport size, bool placed,
-                              Context& context) {
-        const SvgViewport outer = context.viewport;
-        const double x = placed ? svgLength(node, "x", outer.width, 0) : 0;
-        const double y = placed ? svgLength(node, "y", outer.height, 0) : 0;
-        const double width = svgLength(node, "width", outer.width, size.width);
-        const double height = svgLength(node, "height", outer.height, size.height);
-        context.transform = context.transform * Affine{1, 0, 0, 1, x, y};
-        context.viewport = {width, height};
-        if (const auto box = parseSvgViewBox(node.attribute("viewBox").value())) {
-            context.transform =
-                context.transform *
-                fitSvgViewBox(*box, width, height, node.attribute("preserveAspectRatio").value());
-            context.viewport = {box->width, box->height};
-        }
-    }
-
     bool visitUse(const pugi::xml_node& node, Context& context) {
-        const std::string_view href = attributeOf(node, "href");
-        const auto target = href.empty() || href.front() != '#'
-                                ? ids_.end()
-                                : ids_.find(std::string(href.substr(1)));
-        if (target == ids_.end()) {
-            warnings_.push_back(sourceOf(node) + " is left out: it refers to nothing in this file");
+        const pugi::xml_node used = index_.find(svgAttribute(node, "href"));
+        if (!used) {
+            harvest_.warn(node, " is left out: it refers to nothing in this file");
             return true;
         }
-        const pugi::xml_node used = target->second;
         if (std::find(inUse_.begin(), inUse_.end(), used) != inUse_.end()) {
-            warnings_.push_back(sourceOf(node) + " is left out: it refers to itself");
+            harvest_.warn(node, " is left out: it refers to itself");
             return true;
         }
-        const double x = svgLength(node, "x", context.viewport.width, 0);
-        const double y = svgLength(node, "y", context.viewport.height, 0);
-        context.transform = context.transform * Affine{1, 0, 0, 1, x, y};
+        const double x = svgLength(node, "x", context.frame.viewport.width, 0);
+        const double y = svgLength(node, "y", context.frame.viewport.height, 0);
+        context.frame.transform = context.frame.transform * Affine{1, 0, 0, 1, x, y};
         inUse_.push_back(used);
         const bool whole = visitUsed(used, node, context);
         inUse_.pop_back();
@@ -266,28 +209,68 @@ class SvgReader {
     }
 
     bool visitUsed(const pugi::xml_node& used, const pugi::xml_node& use, Context& context) {
-        if (localName(used.name()) != "symbol" || isGuide(used)) return visit(used, context);
+        if (localName(used.name()) != "symbol" || isSvgGuide(used)) return visit(used, context);
         if (!enter(used, context)) return true;
-        const SvgViewport outer = context.viewport;
-        enterViewport(used,
-                      {svgLength(use, "width", outer.width, outer.width),
-                       svgLength(use, "height", outer.height, outer.height)},
-                      false, context);
+        const SvgViewport outer = context.frame.viewport;
+        enterSvgViewport(used,
+                         {svgLength(use, "width", outer.width, outer.width),
+                          svgLength(use, "height", outer.height, outer.height)},
+                         false, context.frame);
         return visitChildren(used, context);
+    }
+
+    /// A text whose words make a label; any other is passed over.
+    bool visitText(const pugi::xml_node& node, const Context& parent) {
+        const SvgTextContent text = svgTextContent(node, parent.frame.viewport);
+        const bool words = readsAsLabel(text.words, LabelForm::text);
+        if (bounds_ != nullptr || (!words && !hasSvgLabelAttributes(node))) {
+            harvest_.passOver("text");
+            return true;
+        }
+        Context context = parent;
+        if (!enter(node, context)) return true;
+        if (!context.visible) {
+            harvest_.hide();
+            return true;
+        }
+        std::vector<std::string> problems;
+        FractureMap::Label label;
+        label.level = context.line.layerLevel().value_or(0);
+        if (words) readLabelWords(text.words, label, problems);
+        readSvgLabelAttributes(node, label, problems);
+        harvest_.warn(node, problems);
+        harvest_.addLabel(std::move(label), context.frame.transform.point(text.place), node);
+        return true;
+    }
+
+    /// A shape or group that is a label lies at the middle of what it would draw.
+    bool visitLabel(const pugi::xml_node& node, Context& context) {
+        std::vector<std::string> problems;
+        FractureMap::Label label;
+        label.level = context.line.layerLevel().value_or(0);
+        readSvgLabelName(node, label, problems);
+        readSvgLabelAttributes(node, label, problems);
+        harvest_.warn(node, problems);
+        Bounds bounds;
+        bounds_ = &bounds;
+        const bool whole = visitInside(node, context);
+        bounds_ = nullptr;
+        if (!whole) return false;
+        harvest_.addLabel(std::move(label), (bounds.low + bounds.high) * 0.5, node);
+        return true;
     }
 
     bool draw(const pugi::xml_node& node, const Context& context) {
         if (!context.visible) {
-            ++hidden_;
+            harvest_.hide();
             return true;
         }
-        const SvgPath path = svgShape(node, context.viewport);
+        const SvgPath path = svgShape(node, context.frame.viewport);
         if (!path.problem.empty())
-            warnings_.push_back(sourceOf(node) + ": " + path.problem +
-                                "; what comes before it is kept");
+            harvest_.warn(node, ": " + path.problem + "; what comes before it is kept");
         for (const Outline& outline : path.outlines) {
-            std::optional<std::vector<glm::dvec2>> points =
-                flatten(outline, context.transform, options_.tolerance, kMaxMapPoints - points_);
+            std::optional<std::vector<glm::dvec2>> points = flatten(
+                outline, context.frame.transform, options_.tolerance, kMaxMapPoints - points_);
             if (!points)
                 return stop(ErrorCode::limitExceeded,
                             "the drawing needs more than " + std::to_string(kMaxMapPoints) +
@@ -300,49 +283,31 @@ class SvgReader {
                     return stop(ErrorCode::invalidData, "a coordinate is too large for a number",
                                 node);
             if (outline.closed) points->back() = points->front();
-            const bool extended = std::any_of(points->begin(), points->end(),
-                                              [&](glm::dvec2 p) { return p != points->front(); });
-            if (extended) map_.lines.push_back({std::move(*points), context.level, sourceOf(node)});
+            addLine(std::move(*points), node, context);
         }
         return true;
     }
 
-    /// "2 hidden element(s), 1 text": what was not drawn, in a fixed order.
-    std::string passedOver() const {
-        std::string list;
-        const auto add = [&list](size_t count, const std::string& what) {
-            if (count > 0) list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + what;
-        };
-        add(strays_, "shape(s) drawn in the guide layer (move them to a level layer)");
-        add(hidden_, "hidden element(s)");
-        for (const auto& [name, count] : ignored_) add(count, name);
-        return list;
-    }
-
-    Result<FractureMap> finish() {
-        const std::string ignored = passedOver();
-        if (map_.lines.empty())
-            return fail(ErrorCode::emptyMap,
-                        "the drawing holds no line to break along" +
-                            (ignored.empty() ? "" : " (passed over: " + ignored + ")") +
-                            "; draw paths, lines or shapes, visible and outside the guide layer" +
-                            (warnings_.empty() ? "" : ". " + warnings_.front()),
-                        name_);
-        map_.warnings = std::move(warnings_);
-        if (!ignored.empty()) map_.warnings.push_back(name_ + ": passed over " + ignored);
-        return std::move(map_);
+    void addLine(std::vector<glm::dvec2> points, const pugi::xml_node& node,
+                 const Context& context) {
+        if (bounds_ == nullptr)
+            return harvest_.addLine(std::move(points), node, context.line, colors_);
+        for (const glm::dvec2 p : points) {
+            bounds_->low = glm::min(bounds_->low, p);
+            bounds_->high = glm::max(bounds_->high, p);
+        }
     }
 
     pugi::xml_node root_;
     std::string name_;
     MapReadOptions options_;
-    std::map<std::string, pugi::xml_node> ids_;
-    SvgStyleSheet styles_;
-    FractureMap map_;
-    std::vector<std::string> warnings_;
-    std::map<std::string, size_t> ignored_;
+    SvgIndex index_;
+    ColorLevels colors_;
+    SvgHarvest harvest_;
+    std::set<const void*> guides_;  ///< whose strays are counted
     std::vector<pugi::xml_node> inUse_;
-    size_t hidden_ = 0, strays_ = 0, elements_ = 0, points_ = 0;
+    Bounds* bounds_ = nullptr;  ///< of the label that is being drawn
+    size_t elements_ = 0, points_ = 0;
     std::optional<Error> error_;
 };
 

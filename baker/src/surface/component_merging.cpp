@@ -92,19 +92,21 @@ std::vector<double> leafAreas(const SplitSurface& surface, const Components& com
     return areas;
 }
 
-std::vector<glm::dvec3> placesOfLeaves(const SplitSurface& surface, const Components& components) {
+std::vector<MergedLeaf> placesOfLeaves(const SplitSurface& surface, const Components& components) {
     std::vector<double> largest(components.leafCount, -1);
-    std::vector<glm::dvec3> places(components.leafCount, glm::dvec3(0.0));
+    std::vector<MergedLeaf> places(components.leafCount);
     for (size_t t = 0; t < surface.triangles.size(); ++t) {
         const auto& triangle = surface.triangles[t];
         const uint32_t leaf = components.leaf[t];
         const double area = triangleArea(surface.positions, triangle.v);
+        places[leaf].area += area;
         if (area <= largest[leaf]) continue;
         largest[leaf] = area;
-        places[leaf] = (glm::dvec3(surface.positions[triangle.v[0]]) +
-                        glm::dvec3(surface.positions[triangle.v[1]]) +
-                        glm::dvec3(surface.positions[triangle.v[2]])) /
-                       3.0;
+        places[leaf].source = triangle.source;
+        places[leaf].position = (glm::dvec3(surface.positions[triangle.v[0]]) +
+                                 glm::dvec3(surface.positions[triangle.v[1]]) +
+                                 glm::dvec3(surface.positions[triangle.v[2]])) /
+                                3.0;
     }
     return places;
 }
@@ -119,7 +121,7 @@ std::vector<MergedLeaf> mergeSmallLeaves(const SplitSurface& surface, const Mesh
         std::vector<uint32_t> into(components.leafCount);
         std::iota(into.begin(), into.end(), 0U);
         std::vector<uint32_t> best;
-        std::vector<glm::dvec3> places;
+        std::vector<MergedLeaf> places;
         for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) {
             if (areas[leaf] >= minimumShare * total) continue;
             if (best.empty()) {
@@ -128,7 +130,7 @@ std::vector<MergedLeaf> mergeSmallLeaves(const SplitSurface& surface, const Mesh
             }
             if (best[leaf] == kNone) continue;
             into[leaf] = best[leaf];
-            merged.push_back({areas[leaf], places[leaf]});
+            merged.push_back(places[leaf]);
             again = true;
         }
         if (again) mergeLeaves(components, into);

@@ -24,14 +24,15 @@ std::vector<double> leafAreas(const SplitSurface& surface, const Components& com
 
 struct MergedLeaf {
     double area = 0;
-    glm::dvec3 position{0.0};  ///< the centroid of one of its triangles
+    glm::dvec3 position{0.0};  ///< the centroid of its largest triangle
+    uint32_t source = 0;       ///< the mesh triangle that lies on
 };
 
 /// Merges leaves whose share of the surface is below `minimumShare`.
 std::vector<MergedLeaf> mergeSmallLeaves(const SplitSurface& surface, const MeshTopology& topology,
                                          double minimumShare, Components& components);
 
-/// The centroid of each leaf's largest triangle: a place to point at in reports.
-std::vector<glm::dvec3> placesOfLeaves(const SplitSurface& surface, const Components& components);
+/// The centroid of each leaf's largest triangle, and its source: a place to point at in reports.
+std::vector<MergedLeaf> placesOfLeaves(const SplitSurface& surface, const Components& components);
 
 }  // namespace sherd

@@ -6,10 +6,18 @@
 // every triangle. Each cut is exact over the surface that the one before left.
 #pragma once
 
+#include <map>
+#include <optional>
+
+#include "map/gap_closing.h"
+#include "pattern/site_sampling.h"
 #include "sherd/baker/fracture_plan.h"
+#include "sherd/baker/recipe.h"
+#include "sherd/baker/report.h"
 #include "sherd/baker/surface_mesh.h"
 #include "surface/line_table.h"
 #include "surface/mesh_topology.h"
+#include "surface/pieces.h"
 #include "surface/seam_joining.h"
 #include "surface/split_surface.h"
 
@@ -17,20 +25,40 @@ namespace sherd {
 
 struct CutOptions {
     SeamOptions seams;
+    double closeGaps = 0;         ///< dangling ends of drawings reach so far for a line; UV units
+    double snapDistance = 1e300;  ///< places in 3D farther from the surface are refused; metres
+    PageWrap wrap = PageWrap::texture;
+    bool splitPatches = false;
+    /// Where the cells of a pattern crowd, by what the pattern asks for (`Pattern::density`).
+    std::map<std::string, Density> densities;
 };
 
 struct CutSurface {
     SplitSurface surface;
     MeshTopology topology;  ///< of the split surface
     LineTable lines;
+    PartGroups groups;             ///< empty unless patterns asked for it
+    std::vector<CellLevel> cells;  ///< of patterns, shallow to deep
     SeamReport seams;
-    std::vector<LooseEnd> deadEnds;     ///< line ends in the middle of the surface
-    std::vector<std::string> warnings;  ///< of the planariser
+    std::vector<BakePlace> deadEnds;    ///< line ends in the middle of the surface
+    std::vector<BakePlace> offSurface;  ///< places too far from the surface, or outside every chart
+    std::vector<BakePlace> gaps;        ///< where no way leads on over the surface
+    std::vector<BakePlace> alongEdges;  ///< where the way on follows the mesh's edges
+    std::vector<ClosedGap> closedGaps;
+    std::vector<BakePlace> offCharts;  ///< lines that touch no chart: where one begins, in UV only
+    std::vector<std::string> warnings;
+
+    /// Whether a pattern's cells, not patches, are the pieces of a level.
+    bool hasCells(uint32_t level) const;
 };
 
-/// Errors: noTextureCoordinates, limitExceeded, invalidData.
+/// The lines of `mesh` itself and of the plan. Errors: noTextureCoordinates, limitExceeded,
+/// invalidData.
 Result<CutSurface> cutSurface(const SurfaceMesh& mesh, const MeshTopology& topology,
                               const FracturePlan& plan, const CutOptions& options);
+
+/// The components of every level, patches of one pattern cell put together.
+Components componentsOf(const CutSurface& cut, bool splitPatches, std::vector<CellReport>& reports);
 
 /// Splitting keeps what it splits: every source triangle's area (to `tolerance`, relative to the
 /// whole), no vertex outside its source triangle, no new border.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/uv_triangle.h"
 
-#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
 #include <string>
 
 namespace sherd {
@@ -22,28 +23,56 @@ Result<std::vector<UvTriangle>> snapUv(const SurfaceMesh& mesh) {
             "it in a modelling tool first",
             "mesh \"" + mesh.name + "\"");
     }
-    std::vector<GridPoint> grid(uv->values.size() / 2);
-    for (size_t i = 0; i < grid.size(); ++i) {
-        const double u = uv->values[2 * i];
-        const double v = uv->values[2 * i + 1];
-        constexpr double kLimit = static_cast<double>(kGridLimit) / kGridOne;
-        if (!(std::abs(u) <= kLimit && std::abs(v) <= kLimit)) {
-            return fail(
-                ErrorCode::limitExceeded,
-                "a texture coordinate lies beyond +-8 tiles, where lines cannot be followed "
-                "exactly; move the chart towards [0, 1]",
-                "mesh \"" + mesh.name + "\", UV (" + std::to_string(u) + ", " + std::to_string(v) +
-                    ")");
-        }
-        grid[i] = {static_cast<int32_t>(std::lround(u * kGridOne)),
-                   static_cast<int32_t>(std::lround(v * kGridOne))};
-    }
+    const auto placeOf = [&](size_t triangle) {
+        const uint32_t slot = mesh.triangleMaterials[triangle];
+        return slot < mesh.placements.size() ? mesh.placements[slot].transform : glm::dmat3(1.0);
+    };
     std::vector<UvTriangle> triangles(mesh.corners.size());
     for (size_t t = 0; t < triangles.size(); ++t) {
-        for (size_t k = 0; k < 3; ++k) triangles[t].corner[k] = grid[mesh.corners[t][k]];
+        const glm::dmat3 place = mesh.placements.empty() ? glm::dmat3(1.0) : placeOf(t);
+        const bool plain = place == glm::dmat3(1.0);
+        for (size_t k = 0; k < 3; ++k) {
+            const float* value = &uv->values[2 * size_t{mesh.corners[t][k]}];
+            glm::dvec3 at(value[0], value[1], 1);
+            if (!plain) at = place * at;
+            const std::optional<GridPoint> snapped = snapToGrid(at.x, at.y);
+            if (!snapped) {
+                return fail(
+                    ErrorCode::limitExceeded,
+                    "a texture coordinate lies beyond +-8 tiles, where lines cannot be followed "
+                    "exactly; move the chart towards [0, 1], or use a projection or a pattern",
+                    "mesh \"" + mesh.name + "\", UV (" + std::to_string(at.x) + ", " +
+                        std::to_string(at.y) + ")");
+            }
+            triangles[t].corner[k] = *snapped;
+        }
         triangles[t].kind = classify(triangles[t].corner);
     }
     return triangles;
+}
+
+std::optional<glm::dvec2> uvOf(const SurfaceMesh& mesh, uint32_t triangle,
+                               const glm::dvec3& position) {
+    const Attribute* uv = findAttribute(mesh.attributes, mesh.uvSemantic);
+    if (uv == nullptr || uv->components != 2) return std::nullopt;
+    const auto& v = mesh.triangles[triangle];
+    const glm::dvec3 a = mesh.positions[v[0]];
+    const glm::dvec3 ab = glm::dvec3(mesh.positions[v[1]]) - a;
+    const glm::dvec3 ac = glm::dvec3(mesh.positions[v[2]]) - a;
+    const glm::dvec3 normal = glm::cross(ab, ac);
+    const double area = glm::dot(normal, normal);
+    const glm::dvec3 d = position - a;
+    const double b = area > 0 ? glm::dot(glm::cross(d, ac), normal) / area : 0;
+    const double c = area > 0 ? glm::dot(glm::cross(ab, d), normal) / area : 0;
+    const glm::dvec3 weights(1 - b - c, b, c);
+    glm::dvec3 at(0.0);
+    for (size_t k = 0; k < 3; ++k) {
+        const float* value = &uv->values[2 * size_t{mesh.corners[triangle][k]}];
+        at += glm::dvec3(value[0], value[1], 1) * weights[static_cast<int>(k)];
+    }
+    const uint32_t slot = mesh.triangleMaterials[triangle];
+    if (slot < mesh.placements.size()) at = mesh.placements[slot].transform * at;
+    return glm::dvec2(at);
 }
 
 bool isUvSeam(const MeshTopology& topology, std::span<const UvTriangle> uv, uint32_t halfEdge) {

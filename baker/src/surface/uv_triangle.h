@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <glm/vec2.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,6 +30,11 @@ UvKind classify(const std::array<GridPoint, 3>& corner);
 /// Every triangle's UV snapped to the grid. Errors: noTextureCoordinates; limitExceeded where a
 /// coordinate is beyond the grid (8 tiles), with triangle and UV.
 Result<std::vector<UvTriangle>> snapUv(const SurfaceMesh& mesh);
+
+/// The UV at a position of a mesh triangle, as lines are drawn in; for reports. Nothing for meshes
+/// without.
+std::optional<glm::dvec2> uvOf(const SurfaceMesh& mesh, uint32_t triangle,
+                               const glm::dvec3& position);
 
 /// Whether the two triangles glued at a half edge have different UV there. False at a border.
 bool isUvSeam(const MeshTopology& topology, std::span<const UvTriangle> uv, uint32_t halfEdge);

@@ -43,14 +43,23 @@ double diagonalOf(const FractureSet& set) {
 
 void checkFresh(const nlohmann::json& document, std::span<const uint8_t> bin,
                 const FractureSet& set, CheckContext& context) {
-    if (sourceHash(document, bin, static_cast<size_t>(set.mesh)) != set.sourceHash)
+    const std::vector<size_t> meshes = meshesOf(document, set);
+    if (sourceHash(document, bin, meshes) != set.sourceHash)
         context.find(Severity::failure, "stale", -1,
                      "the intact mesh has changed since the bake; bake again", "/sourceHash");
-    const auto& node = document["nodes"][static_cast<size_t>(set.node)];
-    if (!node.contains("mesh") || node["mesh"] != set.mesh)
+    const auto& nodes = document["nodes"];
+    const auto checkShows = [&](int32_t node, bool itsMesh, const char* below) {
+        const auto& entry = nodes[static_cast<size_t>(node)];
+        if (entry.contains("mesh") && (!itsMesh || entry["mesh"] == set.mesh)) return;
         context.find(Severity::failure, "stale", -1,
-                     "node " + std::to_string(set.node) + " shows another mesh; bake again",
-                     "/mesh");
+                     "node " + std::to_string(node) + " shows " +
+                         (itsMesh ? "another mesh" : "no mesh, but is part of the object") +
+                         "; bake again",
+                     below);
+    };
+    checkShows(set.node, true, "/mesh");
+    for (const int32_t node : set.sameNodes) checkShows(node, true, "/mesh");
+    for (const int32_t node : set.joinedNodes) checkShows(node, false, "/joined");
 }
 
 nlohmann::ordered_json levelJson(const LevelReport& level) {

@@ -115,9 +115,9 @@ TEST_CASE("index-degenerate triangles that connect runs of a strip are left out"
     CHECK(importOne(model).triangles.size() == 2);
 }
 
-TEST_CASE("points and lines are left out and said so") {
+TEST_CASE("points are left out and said so, and lines alone are no object") {
     TinyModel model = tetrahedron();
-    model.primitive({{"POSITION", 0}})["mode"] = 1;
+    model.primitive({{"POSITION", 0}})["mode"] = 0;
     const SurfaceMesh mesh = importOne(model);
     CHECK(mesh.triangles.size() == 4);
     REQUIRE(mesh.warnings.size() == 1);
@@ -259,6 +259,7 @@ TEST_CASE("nodes are chosen by name or index, and a wrong name lists what there 
     TinyModel model = tetrahedron();
     model.json["nodes"].push_back({{"mesh", 0}, {"name", "spare"}});
     CHECK(import(model)->size() == 1);  // the spare is in no scene
+    model.json["nodes"][1]["scale"] = {2, 2, 2};
     auto spare = import(model, {{"spare", "0", "thing"}, 0});
     REQUIRE(spare);
     REQUIRE(spare->size() == 2);

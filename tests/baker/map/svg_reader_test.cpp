@@ -444,7 +444,7 @@ TEST_CASE("files are found, refused and named") {
     const auto missing = readFractureMap("/nonexistent/a.svg", {});
     REQUIRE_FALSE(missing);
     CHECK(missing.error().code == ErrorCode::fileNotFound);
-    const auto kind = readFractureMap("/nonexistent/a.png", {});
+    const auto kind = readFractureMap("/nonexistent/a.gif", {});
     REQUIRE_FALSE(kind);
     CHECK(kind.error().code == ErrorCode::unsupported);
 }

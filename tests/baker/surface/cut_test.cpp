@@ -161,7 +161,7 @@ TEST_CASE(
         const SurfaceMesh cube = chartedCube();
         const MeshTopology topology = buildTopology(cube.positions, cube.triangles);
         const Result<CutSurface> cut =
-            cutSurface(cube, topology, planOf(linesOf(ring)), {{0, true}});
+            cutSurface(cube, topology, planOf(linesOf(ring)), cutOptions(0, true));
         REQUIRE(cut.has_value());
         CHECK(floodFill(cut->surface, cut->topology, cut->lines, 1).count[0] == 2);
         CHECK(cut->seams.joined == 0);
@@ -180,7 +180,7 @@ TEST_CASE("the thesis' averaging leaves edges that are no seams, and far pairs, 
     const MeshTopology topology = buildTopology(square.positions, square.triangles);
     // Two lines end on the diagonal from its two sides, 0.4 % of its length apart.
     const FractureMap lines = linesOf({{{0.2, 1.1}, {0.5, 0.5}}, {{0.502, 0.498}, {0.8, -0.1}}});
-    const Result<CutSurface> cut = cutSurface(square, topology, planOf(lines), {{0, true}});
+    const Result<CutSurface> cut = cutSurface(square, topology, planOf(lines), cutOptions(0, true));
     REQUIRE(cut.has_value());
     CHECK(cut->seams.averaged == 0);
     CHECK(floodFill(cut->surface, cut->topology, cut->lines, 1).count[0] == 1);
@@ -192,7 +192,7 @@ TEST_CASE("the thesis' averaging leaves edges that are no seams, and far pairs, 
     const SurfaceMesh cube = chartedCube();
     const MeshTopology cubeTopology = buildTopology(cube.positions, cube.triangles);
     const Result<CutSurface> far =
-        cutSurface(cube, cubeTopology, planOf(linesOf(ring)), {{0, true}});
+        cutSurface(cube, cubeTopology, planOf(linesOf(ring)), cutOptions(0, true));
     REQUIRE(far.has_value());
     CHECK(far->seams.averaged == 1);  // 0.4 % apart at one seam, 3 % at the other
     CHECK(far->seams.loose.size() == 2);

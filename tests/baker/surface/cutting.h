@@ -19,6 +19,12 @@ inline FractureMap linesOf(const std::vector<std::vector<glm::dvec2>>& polylines
     return map;
 }
 
+inline CutOptions cutOptions(double joinDistance, bool thesisPairing = false) {
+    CutOptions options;
+    options.seams = {joinDistance, thesisPairing};
+    return options;
+}
+
 struct CutResult {
     MeshTopology before;
     CutSurface cut;
@@ -31,7 +37,7 @@ inline CutResult cutAndCheck(const SurfaceMesh& mesh, const FractureMap& map,
                              double joinDistance = 0.01, uint32_t levels = 1) {
     CutResult result;
     result.before = buildTopology(mesh.positions, mesh.triangles);
-    Result<CutSurface> cut = cutSurface(mesh, result.before, planOf(map), {{joinDistance}});
+    Result<CutSurface> cut = cutSurface(mesh, result.before, planOf(map), cutOptions(joinDistance));
     REQUIRE(cut.has_value());
     result.cut = std::move(*cut);
     CHECK(isFaithfulSplit(mesh, result.before, result.cut, 1e-6));

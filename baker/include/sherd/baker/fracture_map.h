@@ -35,18 +35,18 @@ struct FractureMap {
         std::vector<glm::dvec2> points;  ///< at least 2; a closed line repeats its first point
         uint32_t level = 1;              ///< the level from which it cuts
         std::string source;  ///< where it comes from, for reports: "a.svg: path #crack3"
-        LineProperties properties{};
+        LineProperties properties = {};
     };
     /// A line that runs over the surface from place to place, across triangles and chart borders.
     struct SurfaceLine {
         std::vector<SurfacePlace> places;  ///< at least 2; a closed line repeats its first place
         uint32_t level = 1;
         std::string source;
-        LineProperties properties{};
+        LineProperties properties = {};
     };
     /// A word about the component that holds a place.
     struct Label {
-        SurfacePlace place;
+        SurfacePlace place = {};
         uint32_t level = 0;              ///< of the component meant; 0: the deepest
         std::string name;                ///< "": keeps none
         std::string material;            ///< physical material, a word for the game; "": none
@@ -77,8 +77,8 @@ struct MapReadOptions {
     double tolerance =
         1e-4;  ///< largest distance between a curve and its flattened line, in UV units
     /// Stroke colours that choose the level: "#ff0000" -> 2. Empty: colours say nothing.
-    std::vector<std::pair<std::string, uint32_t>> levelOfColor{};
-    BitmapOptions bitmap{};
+    std::vector<std::pair<std::string, uint32_t>> levelOfColor = {};
+    BitmapOptions bitmap = {};
 };
 
 /// Reads `.svg`, `.json` (Sherd's map format), `.png` or `.jpg`. An empty map is an error

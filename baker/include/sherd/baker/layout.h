@@ -26,8 +26,9 @@ struct Layout {
 };
 
 /// The UV layout of the meshes as an SVG template: a locked guide layer (wireframe, texture) that
-/// the map reader passes over, and empty layers "level 1" to "level 3". Error noTextureCoordinates:
-/// none of the meshes has any.
+/// the map reader passes over, and empty layers "level 1" to "level 3". Triangles are drawn where
+/// their texture shows on the page (SurfaceMesh::placements), those of other tiles too, which is
+/// reported. Error noTextureCoordinates: none of the meshes has any.
 Result<Layout> makeLayoutSvg(std::span<const SurfaceMesh> meshes, const LayoutOptions& options);
 
 /// The base-colour texture of the mesh's most used textured material as a data URI, "" if it has

@@ -28,20 +28,20 @@ struct Pattern {
     uint32_t seed = 1;     ///< the same seed gives the same lines
     double jitter = -1;    ///< 0 to 1: how unevenly lines lie; negative: 0 for grids, else 0.5
     bool brick = false;    ///< grid: every other row is shifted by half a column
-    Projection projection{Projection::Kind::box, glm::dvec3(0.0)};  ///< grid: how the page lies
+    Projection projection{Projection::Kind::planar, glm::dvec3(0.0)};  ///< grid: how the page lies
     std::vector<glm::dvec3> around;    ///< voronoi: crowded around these (scene coordinates)
     double spread = 0.2;               ///< of the crowds; share of the diagonal
     std::optional<glm::dvec3> centre;  ///< radial: the point hit; none: the middle
     glm::dvec3 axis{0.0};              ///< radial: normal, wood: grain; zero: chosen by the extent
     double elongation = 6;             ///< wood: length of a splinter over its width; 1 to 1,000
-    /// voronoi, wood: where cells crowd: "" evenly, "color" as COLOR_0 is bright, "texture" as the
-    /// base colour texture is dark, else the file of a grey picture in UV space (dark: many).
+    /// voronoi, wood: where cells crowd: "" evenly, "color" as COLOR_0 is bright, else the file of
+    /// a grey picture in UV space (dark: many).
     std::string density;
     std::string text;  ///< as it was asked for, for reports
 };
 
 /// KIND:COUNTS[:SEED][:KEY=VALUE]...: "voronoi:12", "voronoi:50:7:around=0,1,0:spread=0.1",
-/// "grid:4x3:brick", "radial:12x4:1:at=0,1,0:axis=z", "wood:20:3:axis=y:elongation=8". Error
+/// "grid:4x3:brick:on=box", "radial:12x4:1:at=0,1,0:axis=z", "wood:20:3:axis=y:elongation=8". Error
 /// badArgument says what is known and allowed.
 Result<Pattern> parsePattern(std::string_view text);
 

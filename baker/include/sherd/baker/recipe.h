@@ -3,10 +3,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "sherd/baker/fracture_map.h"
+#include "sherd/baker/pattern.h"
+#include "sherd/baker/projection.h"
 #include "sherd/formats/result.h"
 
 namespace sherd {
@@ -32,9 +37,21 @@ struct PhysicsSettings {
     double hullMargin = 0.01;    ///< metres at most; never above a tenth of the thinnest extent
 };
 
+/// Which lines a point outside the drawing's page meets.
+enum class PageWrap : uint8_t {
+    texture,  ///< those that the picture of its material shows there; without a picture, repeat
+    none,     ///< the page is a part of an endless sheet
+    repeat,
+    mirror,
+    clamp
+};
+
+/// Where the lines of one level come from: a drawing or a pattern.
 struct RecipeLevel {
-    std::filesystem::path map;  ///< SVG or JSON, relative to the recipe
+    std::filesystem::path map;  ///< SVG, JSON, PNG or JPEG, relative to the recipe
     std::string name;           ///< may be empty
+    Projection projection;      ///< how the drawing lies on the object
+    std::optional<Pattern> pattern;
 };
 
 /// Everything a bake can be told. Defaults are the command line's.
@@ -46,9 +63,20 @@ struct Recipe {
     double seamJoinShare =
         0.005;  ///< ends nearer than this share of the diagonal are joined across a seam
     double minimumComponentShare = 1e-5;  ///< of the surface: smaller components join a neighbour
+    double closeGaps = 0;     ///< dangling line ends reach so far for the nearest line, UV units
+    double snapShare = 0.05;  ///< lines in 3D farther than this share of the diagonal from the
+                              ///< surface are left out
+    PageWrap wrap = PageWrap::texture;  ///< lines outside [0, 1] of the UV set
+    bool modelLines = true;             ///< lines modelled on the object cut too
+    bool splitParts = false;            ///< every patch of a pattern's cell is a piece of its own
+    BitmapOptions bitmap;
+    std::vector<std::pair<std::string, uint32_t>> levelOfColor;  ///< see MapReadOptions
     bool allowOpen = false;  ///< bake meshes with open or non-manifold edges; borders get a rim
     unsigned threads = 2;    ///< at most; results do not depend on it
 };
+
+/// "texture", "none", "repeat", "mirror" or "clamp". Error badArgument.
+Result<PageWrap> parsePageWrap(std::string_view text);
 
 /// Reads a recipe (JSON, comments allowed). Unknown keys and wrong types are errors with their JSON
 /// pointer. Paths of maps are made relative to the recipe's folder.

@@ -2,10 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace sherd {
+
+/// A place that an artist should look at.
+struct BakePlace {
+    std::optional<glm::dvec3> position;  ///< object frame, metres
+    std::optional<glm::dvec2> uv;        ///< as lines are drawn in
+    std::string note;                    ///< what is there, e.g. the line; may be empty
+};
 
 /// Something that was degraded, ignored or merged, and the bake went on.
 struct BakeFinding {
@@ -13,6 +23,8 @@ struct BakeFinding {
     std::string message;  ///< a sentence: what and what to do
     std::string where;    ///< UV, 3D position, element; may be empty
     uint32_t count = 1;   ///< how many of this kind; `where` names the first few
+    std::vector<BakePlace> places = {};  ///< where they are, as far as they have a place; 1000 at
+                                         ///< most
 };
 
 struct BakedLevelReport {

@@ -48,7 +48,7 @@ struct SurfaceMesh {
     /// in scene coordinates. A level that no name says is 1.
     std::vector<FractureMap::SurfaceLine> lines;
     std::vector<int32_t> sameNodes;  ///< other glTF nodes that show the very same mesh, same scale
-    std::vector<int32_t> joinedNodes;  ///< other glTF nodes whose meshes are part of this object
+    std::vector<int32_t> joinedNodes;   ///< other glTF nodes whose meshes are part of this object
     std::vector<std::string> warnings;  ///< what the importer mended or dropped, a sentence each
 };
 

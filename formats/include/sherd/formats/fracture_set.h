@@ -50,12 +50,13 @@ struct FractureGeometry {
 
 /// One closed piece, a node of the fracture hierarchy. SI units, object frame.
 struct Fragment {
-    int32_t parent = -1;  ///< -1 for the object itself (fragment 0)
-    Range children;       ///< fragment indices; count 0: not divided further
-    uint32_t level = 0;   ///< the level at which it first appears
-    std::string name;     ///< may be empty
-    float mass = 0;       ///< kg
-    float volume = 0;     ///< m^3
+    int32_t parent = -1;   ///< -1 for the object itself (fragment 0)
+    Range children;        ///< fragment indices; count 0: not divided further
+    uint32_t level = 0;    ///< the level at which it first appears
+    std::string name;      ///< may be empty
+    std::string material;  ///< physical material, a word for the game ("oak"); may be empty
+    float mass = 0;        ///< kg
+    float volume = 0;      ///< m^3
     glm::vec3 centerOfMass{0.0F};
     glm::vec3 inertiaDiagonal{0.0F};                       ///< kg m^2, about the centre of mass
     glm::quat inertiaOrientation{1.0F, 0.0F, 0.0F, 0.0F};  ///< principal axes in the object frame
@@ -99,9 +100,13 @@ struct FractureLevel {
 /// no later than the parent's own level.
 struct FractureSet {
     std::string name;
-    int32_t node = -1;       ///< glTF node that carries the intact mesh
-    std::vector<int32_t> sameNodes;    ///< further nodes that show the same mesh at the same scale
-    std::vector<int32_t> joinedNodes;  ///< further nodes whose meshes are part of this object
+    int32_t node = -1;  ///< glTF node that carries the intact mesh; restPose is its pose
+    /// Further nodes, above `node`, that show the same mesh at the same scale; each stands in its
+    /// own rigid pose.
+    std::vector<int32_t> sameNodes;
+    /// Further nodes whose meshes are part of the intact object: to be hidden with it. An object of
+    /// several nodes has no sameNodes.
+    std::vector<int32_t> joinedNodes;
     int32_t mesh = -1;       ///< glTF mesh of the intact object
     std::string sourceHash;  ///< hash of the source mesh, to notice a stale set
     RigidPose restPose;

@@ -27,10 +27,11 @@ struct NewMaterial {
 /// bytes and all, as long as no other tool has appended behind it or refers to it.
 Result<GltfDocument> withoutFractureSets(const GltfDocument& document);
 
-/// The document with the fracture sets hung on their nodes (`SHERD_mesh_fracture`), as one GLB.
+/// The document with the fracture sets hung on their nodes (`SHERD_mesh_fracture`; `node` and
+/// `sameNodes`), as one GLB.
 /// Everything the document held stays as it was, except fracture sets of an earlier bake: they are
-/// replaced. `sourceHash` of each set is computed here, `mesh` is the one of the set's node.
-/// Material indices count in `document` as given.
+/// replaced. `sourceHash` of each set is computed here, `mesh` is the one of the set's node. A node
+/// is part of one set only. Material indices count in `document` as given.
 Result<std::vector<uint8_t>> attachFractureSets(const GltfDocument& document,
                                                 std::span<const FractureSet> sets,
                                                 std::span<const NewMaterial> newMaterials);

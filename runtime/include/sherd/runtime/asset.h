@@ -32,6 +32,7 @@ class Asset {
     [[nodiscard]] const FractureGeometry& geometry() const { return set_.geometry; }
 
     [[nodiscard]] uint32_t fragmentCount() const { return uint32_t(set_.fragments.size()); }
+    /// Name, physical material, mass, ... of one fragment.
     [[nodiscard]] const Fragment& fragment(uint32_t f) const { return set_.fragments[f]; }
 
     /// What fragment f shows as a body of its own (fragment 0: the intact object).

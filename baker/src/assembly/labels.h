@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What labels say of the fragments that hold their places.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assembly/hierarchy.h"
+#include "sherd/baker/fracture_map.h"
+#include "surface/split_surface.h"
+
+namespace sherd {
+
+/// A label and the triangle of the cut surface its place lies on.
+struct PlacedLabel {
+    const FractureMap::Label* label = nullptr;
+    uint32_t triangle = 0;
+};
+
+/// Names, materials and numbers go to the labelled fragment and all it consists of; of several
+/// labels those of deeper levels, then later ones, win. Returns what contradicts, a sentence each.
+std::vector<std::string> assembleLabels(std::vector<PlacedLabel> labels,
+                                        const Components& components, const Hierarchy& hierarchy,
+                                        FractureSet& set);
+
+/// One bond to the world for every leaf of an anchored fragment: half the leaf's outer surface, at
+/// its middle. Appends to the set's bonds.
+void assembleAnchors(const std::vector<PlacedLabel>& labels, const SplitSurface& surface,
+                     const Components& components, const Hierarchy& hierarchy, FractureSet& set);
+
+}  // namespace sherd

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "import/line_nodes.h"
+#include "import/node_transforms.h"
+
+namespace sherd {
+
+/// The nodes that show an object or, joined, make it up.
+struct SceneObject {
+    int node = -1;  ///< the lowest of those that show it, or the first of its parts
+    NodeTransform transform;
+    std::vector<int> same;    ///< further nodes that show it, ascending
+    std::vector<int> joined;  ///< further nodes that are part of it
+    std::vector<std::string> warnings;
+};
+
+/// Sorts mesh nodes into objects. Nodes that show one mesh at one scale are one object seen several
+/// times: it is broken once.
+class SceneObjects {
+  public:
+    /// All outlive this. `join`: whatever is added is one object.
+    SceneObjects(const GltfSource& source, const LineNodes& lineNodes, bool join)
+        : source_(source), lineNodes_(lineNodes), join_(join) {}
+
+    void add(int node, const NodeTransform& transform);
+    std::vector<SceneObject>& all() { return objects_; }
+
+  private:
+    bool joinsTwin(SceneObject& object);
+    std::vector<int> lineMeshes(int object) const;
+    int meshOf(int node) const { return source_.model.nodes[static_cast<size_t>(node)].mesh; }
+
+    const GltfSource& source_;
+    const LineNodes& lineNodes_;
+    bool join_;
+    std::vector<SceneObject> objects_;
+    std::unordered_map<int, std::vector<size_t>> objectsOfMesh_;
+};
+
+}  // namespace sherd

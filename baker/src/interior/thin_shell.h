@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Hidden points straight below the surface, for pieces to which the medial surface gives no
+// thickness: on coarse meshes all corners lie on creases, where medial balls have no radius.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/inside_test.h"
+#include "geometry/triangle_bvh.h"
+#include "surface/split_surface.h"
+
+namespace sherd {
+
+class ThinShell {
+  public:
+    ThinShell(const SplitSurface& surface, const InsideTest& inside);
+
+    /// The point below vertex v, against its mean normal, at `share` of the way to what lies across
+    /// the solid; at most `deepest` metres. The vertex itself where no such place is inside.
+    glm::vec3 below(uint32_t vertex, double share, double deepest) const;
+
+  private:
+    const SplitSurface& surface_;
+    const InsideTest& inside_;
+    std::vector<glm::dvec3> normals_;  ///< per vertex: of the triangles around it, by area
+    TriangleBvh tree_;
+};
+
+}  // namespace sherd
