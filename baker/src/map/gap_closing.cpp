@@ -46,7 +46,7 @@ struct Target {
     double distance;
 };
 
-std::optional<Target> nearestLine(const PlanarMap& map, const MapIndex& index,
+std::optional<Target> nearestLine(const PlanarMap& map, MapIndex& index,
                                   const DanglingEnd& end, double reach) {
     const MapEdge& own = map.edges[end.edge];
     const glm::dvec2 p = nodeUv(map, end.node);
@@ -85,7 +85,7 @@ void addCorner(FractureMap::Line& line, const glm::dvec2& place) {
 
 }  // namespace
 
-std::optional<glm::dvec2> lineNear(const PlanarMap& map, const MapIndex& index, uint32_t node,
+std::optional<glm::dvec2> lineNear(const PlanarMap& map, MapIndex& index, uint32_t node,
                                    uint32_t edge, double reach) {
     const std::optional<Target> target = nearestLine(map, index, {node, edge}, reach);
     return target ? std::optional(target->place) : std::nullopt;
@@ -95,7 +95,7 @@ Result<std::vector<ClosedGap>> closeGaps(FractureMap& map, double reach,
                                          std::vector<uint32_t>& lineOf) {
     const Result<PlanarMap> planar = planarise(map);
     if (!planar) return tl::unexpected(planar.error());
-    const MapIndex index(*planar);
+    MapIndex index(*planar);
     std::vector<ClosedGap> closed;
     for (const DanglingEnd& end : danglingEnds(*planar)) {
         const std::optional<Target> target = nearestLine(*planar, index, end, reach);

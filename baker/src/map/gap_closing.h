@@ -17,7 +17,7 @@ struct ClosedGap {
 
 /// The nearest place of another line within `reach` of a node that `edge` alone ends at; of its own
 /// line only ahead of it.
-std::optional<glm::dvec2> lineNear(const PlanarMap& map, const MapIndex& index, uint32_t node,
+std::optional<glm::dvec2> lineNear(const PlanarMap& map, MapIndex& index, uint32_t node,
                                    uint32_t edge, double reach);
 
 /// Leads every dangling end of the drawing on to the nearest place of a line within `reach` (UV

@@ -201,8 +201,8 @@ TEST_CASE("the thesis' averaging leaves edges that are no seams, and far pairs, 
 TEST_CASE("a line that ends in the surface is reported with its place") {
     const CutResult r = cutAndCheck(flatSquare(3), linesOf({{{-0.1, 0.4}, {0.6, 0.45}}}));
     REQUIRE(r.cut.deadEnds.size() == 1);
-    CHECK(r.cut.deadEnds[0].uv.x == doctest::Approx(0.6));
-    CHECK(r.cut.deadEnds[0].position.x == doctest::Approx(0.6));
+    CHECK(r.cut.deadEnds[0].uv->x == doctest::Approx(0.6));
+    CHECK(r.cut.deadEnds[0].position->x == doctest::Approx(0.6));
 }
 
 TEST_CASE("line ends on both sides of a corner of a chart are joined around it") {
