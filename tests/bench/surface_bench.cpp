@@ -63,7 +63,9 @@ CutOptions optionsFor(const SurfaceMesh& mesh) {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    return {{0.01 * glm::distance(glm::dvec3(low), glm::dvec3(high))}};
+    CutOptions options;
+    options.seams.joinDistance = 0.01 * glm::distance(glm::dvec3(low), glm::dvec3(high));
+    return options;
 }
 
 void runWhole(const SurfaceMesh& mesh, const MeshTopology& topology, const FracturePlan& plan,

@@ -12,6 +12,9 @@ namespace sherd {
 namespace {
 
 constexpr uint32_t kNobody = 0xFFFFFFFFU;
+constexpr uint32_t kHeld = 0xFFFFFFFFU;  ///< mark of an edge that must stay for now
+/// Up to here edges are flipped out of a constraint's way; more are cleared away at once.
+constexpr size_t kFewCrossed = 16;
 
 uint32_t cyclic(uint32_t k) {
     return k % 3;
@@ -305,20 +308,25 @@ class Triangulator {
         }
     }
 
-    /// Edge a -> b, or t == kNobody.
+    /// Edge a -> b, or t == kNobody. Looks around a, then b, then a again, twice as far each time:
+    /// one of them may have thousands of triangles about it.
     Edge findEdge(uint32_t a, uint32_t b) const {
         Edge found{kNobody, 0};
-        forEachAround(a, [&](uint32_t t, uint32_t k) {
-            if (triangles_[t].v[cyclic(k + 1)] == b) found = {t, k};
-            if (triangles_[t].v[cyclic(k + 2)] == b) found = {t, cyclic(k + 2)};
-            return found.t == kNobody;
-        });
-        return found;
+        for (size_t limit = 32;; limit *= 2) {
+            size_t left = limit;
+            const bool sawAll = forEachAround(a, [&](uint32_t t, uint32_t k) {
+                if (triangles_[t].v[cyclic(k + 1)] == b) found = {t, k};
+                if (triangles_[t].v[cyclic(k + 2)] == b) found = {t, cyclic(k + 2)};
+                return found.t == kNobody && --left > 0;
+            });
+            if (sawAll || found.t != kNobody) return found;
+            std::swap(a, b);
+        }
     }
 
-    /// Calls visit(triangle, corner index of p) until it returns false.
+    /// Calls visit(triangle, corner index of p) until it returns false, and then returns false.
     template <class Visit>
-    void forEachAround(uint32_t p, Visit&& visit) const {
+    bool forEachAround(uint32_t p, Visit&& visit) const {
         const uint32_t first = triangleOf_[p];
         uint32_t t = first;
         const auto cornerOf = [&](uint32_t tri) {
@@ -328,16 +336,17 @@ class Triangulator {
         };
         do {  // counter-clockwise
             const uint32_t k = cornerOf(t);
-            if (!visit(t, k)) return;
+            if (!visit(t, k)) return false;
             t = triangles_[t].neighbor[cyclic(k + 2)];
         } while (t != kNobody && t != first);
-        if (t == first) return;
+        if (t == first) return true;
         t = triangles_[first].neighbor[cornerOf(first)];
         while (t != kNobody) {  // the rest clockwise: p is on the border
             const uint32_t k = cornerOf(t);
-            if (!visit(t, k)) return;
+            if (!visit(t, k)) return false;
             t = triangles_[t].neighbor[k];
         }
+        return true;
     }
 
     void setMark(Edge e, uint32_t mark) {
@@ -359,9 +368,12 @@ class Triangulator {
                 return true;
             }
             uint32_t reached = b;
-            std::deque<std::pair<uint32_t, uint32_t>> crossed;
-            if (!collectCrossed(a, b, crossed, reached)) return false;
-            if (!flipAway(a, reached, crossed)) return false;
+            if (!collectCrossed(a, b, reached)) return false;
+            if (crossed_.size() > kFewCrossed) {
+                refillCavity(a, reached);
+            } else if (!flipAway(a, reached)) {
+                return false;
+            }
             const Edge e = findEdge(a, reached);
             if (e.t == kNobody) return false;
             setMark(e, mark);
@@ -371,8 +383,9 @@ class Triangulator {
     }
 
     /// Edges that a -> b crosses, up to b or the first point that lies on it.
-    bool collectCrossed(uint32_t a, uint32_t b, std::deque<std::pair<uint32_t, uint32_t>>& crossed,
-                        uint32_t& reached) const {
+    bool collectCrossed(uint32_t a, uint32_t b, uint32_t& reached) {
+        crossed_.clear();
+        cavity_.clear();
         Edge e{kNobody, 0};
         uint32_t through = kNobody;
         forEachAround(a, [&](uint32_t t, uint32_t k) {
@@ -394,16 +407,17 @@ class Triangulator {
         while (true) {
             const Triangle& t = triangles_[e.t];
             if (t.mark[e.k] != 0 || t.neighbor[e.k] == kNobody) return false;
-            crossed.emplace_back(t.v[e.k], t.v[cyclic(e.k + 1)]);
+            crossed_.emplace_back(t.v[e.k], t.v[cyclic(e.k + 1)]);
+            cavity_.push_back(e.t);
             const uint32_t n = t.neighbor[e.k];
             const uint32_t from = t.v[cyclic(e.k + 1)];
             uint32_t j = 0;
             while (triangles_[n].v[j] != from) ++j;
             const uint32_t apex = triangles_[n].v[cyclic(j + 2)];
-            if (apex == b) return true;
-            const int s = side(a, b, apex);
+            const int s = apex == b ? 0 : side(a, b, apex);
             if (s == 0) {
                 reached = apex;
+                cavity_.push_back(n);
                 return true;
             }
             // t.v[k] is right of the line, t.v[k + 1] left.
@@ -419,23 +433,133 @@ class Triangulator {
         return ab.x * ac.x + ab.y * ac.y > 0;
     }
 
-    bool flipAway(uint32_t a, uint32_t b, std::deque<std::pair<uint32_t, uint32_t>>& crossed) {
-        size_t limit = 16 * (crossed.size() + 4) * (crossed.size() + 4);
-        while (!crossed.empty()) {
+    /// Exchanges the crossed edges until none crosses. A crossed edge whose quad is not convex has
+    /// to wait for others, so this takes the square of their number at worst.
+    bool flipAway(uint32_t a, uint32_t b) {
+        size_t limit = 16 * (crossed_.size() + 4) * (crossed_.size() + 4);
+        while (!crossed_.empty()) {
             if (limit-- == 0) return false;
-            const auto [p, q] = crossed.front();
-            crossed.pop_front();
+            const auto [p, q] = crossed_.front();
+            crossed_.pop_front();
             const Edge e = findEdge(p, q);
             if (!flippable(e)) {
-                crossed.emplace_back(p, q);
+                crossed_.emplace_back(p, q);
                 continue;
             }
             const auto [u, v, c, d] = quad(e);
             flip(e);
             const bool touches = c == a || c == b || d == a || d == b;
-            if (!touches && side(a, b, c) * side(a, b, d) < 0) crossed.emplace_back(c, d);
+            if (!touches && side(a, b, c) * side(a, b, d) < 0) crossed_.emplace_back(c, d);
         }
         return true;
+    }
+
+    /// A directed edge of the cavity or of its filling, and the triangle on its left.
+    struct Side {
+        uint32_t from, to;
+        uint32_t triangle, k;
+        uint32_t mark;
+        bool operator<(const Side& o) const {
+            return std::pair(from, to) < std::pair(o.from, o.to);
+        }
+    };
+
+    /// Takes all crossed triangles out and fills the hole on either side of a -> b. Each of the two
+    /// is weakly visible from a b (crossed edges ran to it from every corner), and such polygons
+    /// fall to one scan that cuts every convex corner it meets (Toussaint and Avis 1982, On a
+    /// convex hull algorithm for polygons and its application to triangulation problems).
+    void refillCavity(uint32_t a, uint32_t b) {
+        std::vector<Side> outside = cavityBorder();
+        std::vector<uint32_t> left{a}, right{a};  // corners in the order they are met
+        for (const auto& [r, l] : crossed_) {
+            if (left.back() != l) left.push_back(l);
+            if (right.back() != r) right.push_back(r);
+        }
+        left.push_back(b);
+        right.push_back(b);
+        size_t next = 0;
+        cutCorners(left, 1, next);
+        cutCorners(right, -1, next);
+        relinkCavity(outside);
+        suspects_.clear();
+        for (const uint32_t t : cavity_) {
+            for (uint32_t k = 0; k < 3; ++k) {
+                const auto& v = triangles_[t].v;
+                const uint32_t from = v[k];
+                const uint32_t to = v[cyclic(k + 1)];
+                const bool isConstraint = (from == a && to == b) || (from == b && to == a);
+                if (!isConstraint)
+                    suspects_.push_back({t, k});
+                else
+                    triangles_[t].mark[k] = kHeld;
+            }
+        }
+        legalize();
+        const Edge e = findEdge(a, b);
+        for (const Edge held : {e, across(e)}) triangles_[held.t].mark[held.k] = 0;
+    }
+
+    /// The same edge seen from the other side.
+    Edge across(Edge e) const {
+        const uint32_t b = triangles_[e.t].v[cyclic(e.k + 1)];
+        const uint32_t n = triangles_[e.t].neighbor[e.k];
+        uint32_t j = 0;
+        while (triangles_[n].v[j] != b) ++j;
+        return {n, j};
+    }
+
+    /// The cavity's triangles' edges that are not crossed, each with what lies across.
+    std::vector<Side> cavityBorder() const {
+        std::vector<Side> border;
+        for (const uint32_t t : cavity_) {
+            const Triangle& tri = triangles_[t];
+            for (uint32_t k = 0; k < 3; ++k)
+                border.push_back({tri.v[k], tri.v[cyclic(k + 1)], tri.neighbor[k], 0, tri.mark[k]});
+        }
+        std::sort(border.begin(), border.end());
+        return border;
+    }
+
+    /// Triangles over a chain from a to b whose hole is on its right (turn 1) or left (-1).
+    void cutCorners(const std::vector<uint32_t>& chain, int turn, size_t& next) {
+        std::vector<uint32_t> open;
+        for (const uint32_t v : chain) {
+            open.push_back(v);
+            while (open.size() >= 3) {
+                const uint32_t x = open[open.size() - 3];
+                const uint32_t y = open[open.size() - 2];
+                if (side(x, y, v) * turn >= 0) break;
+                open[open.size() - 2] = v;
+                open.pop_back();
+                const std::array<uint32_t, 3> corners =
+                    turn > 0 ? std::array{v, y, x} : std::array{x, y, v};
+                setTriangle(cavity_[next++], corners, {kNobody, kNobody, kNobody}, {0, 0, 0});
+            }
+        }
+    }
+
+    /// Joins the new triangles to each other and to what was around, marks included.
+    void relinkCavity(const std::vector<Side>& outside) {
+        std::vector<Side> inside;
+        for (const uint32_t t : cavity_) {
+            for (uint32_t k = 0; k < 3; ++k)
+                inside.push_back({triangles_[t].v[k], triangles_[t].v[cyclic(k + 1)], t, k, 0});
+        }
+        std::sort(inside.begin(), inside.end());
+        for (const Side& s : inside) {
+            const Side back{s.to, s.from, 0, 0, 0};
+            const auto twin = std::lower_bound(inside.begin(), inside.end(), back);
+            Triangle& tri = triangles_[s.triangle];
+            const auto old = std::lower_bound(outside.begin(), outside.end(), s);
+            const bool wasThere = old != outside.end() && !(s < *old);
+            if (wasThere) tri.mark[s.k] = old->mark;
+            if (twin != inside.end() && !(back < *twin)) {
+                tri.neighbor[s.k] = twin->triangle;
+            } else if (wasThere) {
+                tri.neighbor[s.k] = old->triangle;
+                link(s.triangle, s.k);
+            }
+        }
     }
 
     const TriangulationInput& in_;
@@ -443,6 +567,8 @@ class Triangulator {
     std::vector<Triangle> triangles_;
     std::vector<uint32_t> triangleOf_;
     std::vector<Edge> suspects_;
+    std::deque<std::pair<uint32_t, uint32_t>> crossed_;  ///< by the constraint being recovered
+    std::vector<uint32_t> cavity_;                       ///< the triangles it crosses
     uint32_t last_ = 0;
     size_t flipsLeft_ = 0;
 };

@@ -31,13 +31,19 @@ struct GridPoint {
 inline constexpr int32_t kGridOne = 1 << 24;         ///< 1.0 on the grid
 inline constexpr int32_t kGridLimit = 8 * kGridOne;  ///< 2^27: the widths above hold up to here
 
+/// The nearest integer, halves away from zero. (std::llround is a call, and three times as slow.)
+inline int32_t roundToInteger(double x) {
+    const auto whole = static_cast<int32_t>(x);
+    const double rest = x - whole;
+    return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+}
+
 /// The nearest grid point (halves away from zero). Nothing for NaN, infinities and anything beyond
 /// the limit.
 inline std::optional<GridPoint> snapToGrid(double u, double v) {
     const double limit = static_cast<double>(kGridLimit) / kGridOne;
     if (!(std::abs(u) <= limit) || !(std::abs(v) <= limit)) return std::nullopt;
-    return GridPoint{static_cast<int32_t>(std::llround(u * kGridOne)),
-                     static_cast<int32_t>(std::llround(v * kGridOne))};
+    return GridPoint{roundToInteger(u * kGridOne), roundToInteger(v * kGridOne)};
 }
 
 /// -1, 0 or 1.

@@ -2,6 +2,7 @@
 #include "surface/map_index.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/vec2.hpp>
 
@@ -37,14 +38,14 @@ MapIndex::MapIndex(const PlanarMap& map) {
         start_.assign(2, 0);
         return;
     }
-    // About one cell an edge keeps both the cells and the edges a triangle meets few.
+    // One to four cells an edge keep both the cells and the edges a triangle meets few.
     const auto side = static_cast<uint32_t>(
         std::clamp(std::sqrt(static_cast<double>(boxes_.size())) * 2, 1.0, 1024.0));
     const int64_t extent = std::max(int64_t{high.u} - low.u, int64_t{high.v} - low.v) + 1;
     origin_ = low;
-    cell_ = extent / side + 1;
-    columns_ = static_cast<uint32_t>((int64_t{high.u} - low.u) / cell_ + 1);
-    rows_ = static_cast<uint32_t>((int64_t{high.v} - low.v) / cell_ + 1);
+    shift_ = static_cast<uint32_t>(std::bit_width(static_cast<uint64_t>(extent / side)));
+    columns_ = static_cast<uint32_t>(((int64_t{high.u} - low.u) >> shift_) + 1);
+    rows_ = static_cast<uint32_t>(((int64_t{high.v} - low.v) >> shift_) + 1);
 
     start_.assign(size_t{columns_} * rows_ + 1, 0);
     for (uint32_t e = 0; e < boxes_.size(); ++e)
@@ -72,8 +73,8 @@ void MapIndex::forEachCell(const PlanarMap& map, uint32_t edge, Visit&& visit) c
             // Where it enters and leaves the row. A unit more above and below, and two aside, is
             // wider than the nodes' rounding can be off.
             const double slope = (b.x - a.x) / (b.y - a.y);
-            const double bottom = static_cast<double>(origin_.v + cell_ * r) - 1;
-            const double top = bottom + static_cast<double>(cell_) + 2;
+            const double bottom = static_cast<double>(origin_.v + (int64_t{r} << shift_)) - 1;
+            const double top = bottom + static_cast<double>(int64_t{1} << shift_) + 2;
             const auto [low, high] =
                 std::minmax({a.x + (bottom - a.y) * slope, a.x + (top - a.y) * slope});
             from = std::max(from, static_cast<int64_t>(std::floor(std::max(low, -1e10))) - 2);
@@ -84,18 +85,20 @@ void MapIndex::forEachCell(const PlanarMap& map, uint32_t edge, Visit&& visit) c
 }
 
 uint32_t MapIndex::column(int64_t u) const {
-    return static_cast<uint32_t>(std::clamp<int64_t>((u - origin_.u) / cell_, 0, columns_ - 1));
+    return static_cast<uint32_t>(std::clamp<int64_t>((u - origin_.u) >> shift_, 0, columns_ - 1));
 }
 uint32_t MapIndex::row(int64_t v) const {
-    return static_cast<uint32_t>(std::clamp<int64_t>((v - origin_.v) / cell_, 0, rows_ - 1));
+    return static_cast<uint32_t>(std::clamp<int64_t>((v - origin_.v) >> shift_, 0, rows_ - 1));
 }
 
 void MapIndex::query(GridPoint low, GridPoint high, std::vector<uint32_t>& result) {
     result.clear();
     if (boxes_.empty()) return;
     ++query_;
-    for (uint32_t r = row(low.v); r <= row(high.v); ++r) {
-        for (uint32_t c = column(low.u); c <= column(high.u); ++c) {
+    const uint32_t firstColumn = column(low.u), lastColumn = column(high.u);
+    const uint32_t lastRow = row(high.v);
+    for (uint32_t r = row(low.v); r <= lastRow; ++r) {
+        for (uint32_t c = firstColumn; c <= lastColumn; ++c) {
             for (uint32_t i = start_[r * columns_ + c]; i < start_[r * columns_ + c + 1]; ++i) {
                 const Box& box = boxes_[edges_[i]];
                 if (found_[edges_[i]] == query_) continue;
@@ -108,7 +111,7 @@ void MapIndex::query(GridPoint low, GridPoint high, std::vector<uint32_t>& resul
             }
         }
     }
-    std::sort(result.begin(), result.end());
+    if (result.size() > 1) std::sort(result.begin(), result.end());
 }
 
 }  // namespace sherd

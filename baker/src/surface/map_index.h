@@ -27,7 +27,7 @@ class MapIndex {
 
     std::vector<Box> boxes_;  ///< per edge, rounded outwards
     GridPoint origin_{};
-    int64_t cell_ = 1;  ///< grid units
+    uint32_t shift_ = 0;  ///< a cell is 2^shift_ grid units wide
     uint32_t columns_ = 1, rows_ = 1;
     std::vector<uint32_t> start_;  ///< per cell, into edges_
     std::vector<uint32_t> edges_;

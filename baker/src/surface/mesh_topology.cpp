@@ -4,16 +4,28 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <tuple>
 
 namespace sherd {
 namespace {
 
+/// A half edge at the lower vertex of its edge.
 struct Use {
-    uint64_t key;  ///< low << 32 | high
+    uint32_t high;
     uint32_t halfEdge;
-    bool forward;  ///< runs low -> high
 };
+
+/// The uses of all edges by low vertex: uses[first[v]] to uses[first[v + 1]] are v's, sorted by
+/// high vertex, then half edge.
+struct EdgeUses {
+    std::vector<uint32_t> first;
+    std::vector<Use> uses;
+};
+
+bool runsForward(std::span<const std::array<uint32_t, 3>> triangles, const Use& use) {
+    return triangles[use.halfEdge / 3][use.halfEdge % 3] != use.high;
+}
 
 /// Direction of the triangle beside the half edge, perpendicular to it.
 glm::dvec3 apexDirection(std::span<const glm::vec3> positions,
@@ -27,12 +39,10 @@ glm::dvec3 apexDirection(std::span<const glm::vec3> positions,
 /// from it through the inside of the solid. Only which valid pairing is taken depends on floating
 /// point, so closedness never does.
 void pairUses(std::span<const glm::vec3> positions,
-              std::span<const std::array<uint32_t, 3>> triangles, std::span<const Use> uses,
-              std::vector<uint32_t>& opposite) {
-    const auto low = static_cast<uint32_t>(uses[0].key >> 32);
-    const auto high = static_cast<uint32_t>(uses[0].key);
+              std::span<const std::array<uint32_t, 3>> triangles, uint32_t low,
+              std::span<const Use> uses, std::vector<uint32_t>& opposite) {
     const glm::dvec3 origin = positions[low];
-    const glm::dvec3 along = glm::dvec3(positions[high]) - origin;
+    const glm::dvec3 along = glm::dvec3(positions[uses[0].high]) - origin;
     const double length = glm::length(along);
     const glm::dvec3 axis = length > 0 ? along / length : glm::dvec3(1, 0, 0);
     struct Candidate {
@@ -44,12 +54,12 @@ void pairUses(std::span<const glm::vec3> positions,
     };
     std::vector<Candidate> candidates;
     for (const Use& f : uses) {
-        if (!f.forward) continue;
+        if (!runsForward(triangles, f)) continue;
         const glm::dvec3 x =
             apexDirection(positions, triangles[f.halfEdge / 3], f.halfEdge % 3, origin, axis);
         const glm::dvec3 y = glm::cross(axis, x);
         for (const Use& b : uses) {
-            if (b.forward) continue;
+            if (runsForward(triangles, b)) continue;
             const glm::dvec3 d =
                 apexDirection(positions, triangles[b.halfEdge / 3], b.halfEdge % 3, origin, axis);
             // The face beside a forward half edge has its normal axis x apex, so inside is turning
@@ -67,39 +77,49 @@ void pairUses(std::span<const glm::vec3> positions,
     }
 }
 
-std::vector<Use> collectUses(std::span<const std::array<uint32_t, 3>> triangles,
-                             std::vector<uint8_t>& degenerate) {
-    std::vector<Use> uses;
-    uses.reserve(triangles.size() * 3);
+/// A counting sort on the low vertex: linear, and stable in the half edge. The few uses of each
+/// vertex are sorted by insertion.
+EdgeUses collectUses(std::span<const std::array<uint32_t, 3>> triangles, size_t vertexCount,
+                     std::vector<uint8_t>& degenerate) {
+    EdgeUses result;
+    result.first.assign(vertexCount + 2, 0);
     for (uint32_t t = 0; t < triangles.size(); ++t) {
+        const auto [a, b, c] = triangles[t];
+        degenerate[t] = a == b || b == c || c == a;
+        if (degenerate[t] != 0) continue;
+        ++result.first[std::min(a, b) + 2];
+        ++result.first[std::min(b, c) + 2];
+        ++result.first[std::min(c, a) + 2];
+    }
+    std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
+    result.uses.resize(result.first.back());
+    // first[v + 1] runs from where v's uses start to where they end.
+    for (uint32_t t = 0; t < triangles.size(); ++t) {
+        if (degenerate[t] != 0) continue;
         const auto& v = triangles[t];
-        degenerate[t] = v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
-        if (degenerate[t]) continue;
         for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t a = v[k];
-            const uint32_t b = v[(k + 1) % 3];
-            const uint64_t key = uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-            uses.push_back({key, 3 * t + k, a < b});
+            const auto [low, high] = std::minmax(v[k], v[k == 2 ? 0 : k + 1]);
+            result.uses[result.first[low + 1]++] = {high, 3 * t + k};
         }
     }
-    return uses;
-}
-
-/// Sorts by edge with a counting sort on the low vertex: linear, and stable in the half edge.
-void sortByEdge(std::vector<Use>& uses, size_t vertexCount) {
-    std::vector<uint32_t> start(vertexCount + 1, 0);
-    for (const Use& use : uses) ++start[(use.key >> 32) + 1];
-    for (size_t v = 0; v < vertexCount; ++v) start[v + 1] += start[v];
-    std::vector<uint32_t> next(start.begin(), start.end() - 1);
-    std::vector<Use> sorted(uses.size());
-    for (const Use& use : uses) sorted[next[use.key >> 32]++] = use;
+    const auto before = [](const Use& x, const Use& y) {
+        return x.high != y.high ? x.high < y.high : x.halfEdge < y.halfEdge;
+    };
     for (size_t v = 0; v < vertexCount; ++v) {
-        std::sort(sorted.begin() + start[v], sorted.begin() + start[v + 1],
-                  [](const Use& a, const Use& b) {
-                      return a.key != b.key ? a.key < b.key : a.halfEdge < b.halfEdge;
-                  });
+        const auto first = result.uses.begin() + result.first[v];
+        const auto last = result.uses.begin() + result.first[v + 1];
+        if (last - first > 32) {
+            std::sort(first, last, before);
+            continue;
+        }
+        for (auto i = first; i != last; ++i) {
+            const Use use = *i;
+            auto hole = i;
+            for (; hole != first && before(use, hole[-1]); --hole) *hole = hole[-1];
+            *hole = use;
+        }
     }
-    uses = std::move(sorted);
+    return result;
 }
 
 }  // namespace
@@ -110,18 +130,21 @@ MeshTopology buildTopology(std::span<const glm::vec3> positions,
     topology.degenerate.assign(triangles.size(), 0);
     topology.halfEdgeEdge.assign(triangles.size() * 3, kNone);
     topology.opposite.assign(triangles.size() * 3, kNone);
-    std::vector<Use> uses = collectUses(triangles, topology.degenerate);
-    sortByEdge(uses, positions.size());
-
+    const EdgeUses all = collectUses(triangles, positions.size(), topology.degenerate);
+    const std::vector<Use>& uses = all.uses;
+    topology.edges.reserve(uses.size() / 2 + uses.size() / 64);
+    uint32_t low = 0;
     for (size_t i = 0; i < uses.size();) {
+        while (all.first[low + 1] <= i) ++low;
         size_t end = i;
         uint32_t forward = 0;
-        while (end < uses.size() && uses[end].key == uses[i].key) forward += uses[end++].forward;
-        const auto count = static_cast<uint32_t>(end - i);
         const auto edge = static_cast<uint32_t>(topology.edges.size());
-        topology.edges.push_back(
-            {static_cast<uint32_t>(uses[i].key >> 32), static_cast<uint32_t>(uses[i].key)});
-        for (size_t u = i; u < end; ++u) topology.halfEdgeEdge[uses[u].halfEdge] = edge;
+        while (end < all.first[low + 1] && uses[end].high == uses[i].high) {
+            topology.halfEdgeEdge[uses[end].halfEdge] = edge;
+            forward += runsForward(triangles, uses[end++]) ? 1 : 0;
+        }
+        const auto count = static_cast<uint32_t>(end - i);
+        topology.edges.push_back({low, uses[i].high});
 
         if (count == 2 && forward == 1) {
             topology.opposite[uses[i].halfEdge] = uses[i + 1].halfEdge;
@@ -140,7 +163,8 @@ MeshTopology buildTopology(std::span<const glm::vec3> positions,
                     topology.firstNonManifoldHalfEdge = uses[i].halfEdge;
                 }
             }
-            pairUses(positions, triangles, std::span(uses).subspan(i, count), topology.opposite);
+            pairUses(positions, triangles, low, std::span(uses).subspan(i, count),
+                     topology.opposite);
         }
         i = end;
     }

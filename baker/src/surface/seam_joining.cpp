@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <map>
+#include <numeric>
 #include <tuple>
 
 #include "geometry/triangle.h"
@@ -44,6 +44,7 @@ class SeamJoiner {
           wedges_(surface.triangles.size() * 3) {}
 
     SeamReport run() {
+        if (cuts_.empty()) return {};
         findSeams();
         collectEnds();
         joinNearest();
@@ -57,20 +58,49 @@ class SeamJoiner {
 
     bool isSeam(uint32_t h) const { return isUvSeam(topology_, uv_, h); }
 
-    /// Corners around a vertex that are connected without crossing a seam form a wedge.
+    /// Seams, and the wedges between them: corners around a vertex that are connected without
+    /// crossing a seam. Only vertices with a seam have wedges worth knowing.
     void findSeams() {
-        for (uint32_t h = 0; h < topology_.opposite.size(); ++h) {
+        const auto halfEdges = static_cast<uint32_t>(topology_.opposite.size());
+        std::vector<uint32_t> seams;
+        seamsFrom_.assign(surface_.positions.size() + 1, 0);
+        for (uint32_t h = 0; h < halfEdges; ++h) {
+            const uint32_t o = topology_.opposite[h];
+            if (o == kNone || o < h || !isSeam(h)) continue;
+            seams.push_back(h);
+            ++seamsFrom_[startVertex(h) + 1];
+            ++seamsFrom_[endVertex(h) + 1];
+        }
+        std::partial_sum(seamsFrom_.begin(), seamsFrom_.end(), seamsFrom_.begin());
+        seamHalfEdges_.resize(seamsFrom_.back());
+        std::vector<uint32_t> next(seamsFrom_.begin(), seamsFrom_.end() - 1);
+        for (const uint32_t h : seams) {
+            seamHalfEdges_[next[startVertex(h)]++] = h;
+            seamHalfEdges_[next[endVertex(h)]++] = h;
+        }
+        for (uint32_t h = 0; h < halfEdges; ++h) {
             const uint32_t o = topology_.opposite[h];
             if (o == kNone || o < h) continue;
-            if (isSeam(h)) {
-                seamHalfEdges_.push_back(h);
-                seamsAtVertex_[startVertex(h)].push_back(h);
-                seamsAtVertex_[endVertex(h)].push_back(h);
-            } else {
-                wedges_.unite(h, nextCorner(o));
-                wedges_.unite(nextCorner(h), o);
-            }
+            const bool atStart = hasSeam(startVertex(h));
+            const bool atEnd = hasSeam(endVertex(h));
+            if ((!atStart && !atEnd) || isSeam(h)) continue;
+            if (atStart) wedges_.unite(h, nextCorner(o));
+            if (atEnd) wedges_.unite(nextCorner(h), o);
         }
+    }
+
+    bool hasSeam(uint32_t vertex) const { return seamsFrom_[vertex + 1] != seamsFrom_[vertex]; }
+    /// Half edges of seams that touch a vertex.
+    std::span<const uint32_t> seamsAt(uint32_t vertex) const {
+        return std::span(seamHalfEdges_)
+            .subspan(seamsFrom_[vertex], seamsFrom_[vertex + 1] - seamsFrom_[vertex]);
+    }
+    /// Ends of lines at a vertex or edge point.
+    std::span<const SeamEnd> endsAt(uint32_t id) const {
+        const auto [first, last] =
+            std::equal_range(ends_.begin(), ends_.end(), SeamEnd{id, 0, 0, 0, false},
+                             [](const SeamEnd& x, const SeamEnd& y) { return x.id < y.id; });
+        return {first, last};
     }
 
     /// The wedge at vertex v beside half edge h, which touches v.
@@ -79,38 +109,37 @@ class SeamJoiner {
     }
 
     void collectEnds() {
-        std::map<std::pair<uint32_t, uint32_t>, std::pair<uint32_t, uint32_t>>
-            found;  // id, side -> line, cut
         for (uint32_t c = 0; c < cuts_.size(); ++c) {
             if (edgeAlong(cuts_[c]) != 3) continue;
             for (uint32_t end = 0; end < 2; ++end) {
                 const CutEnd& e = end == 0 ? cuts_[c].from : cuts_[c].to;
                 const uint32_t h = 3 * cuts_[c].triangle + e.k;
+                const uint32_t id = edges_.cutEnds[c][end];
                 if (e.where == CutEnd::Where::inside) continue;
                 const bool atVertex = e.where == CutEnd::Where::corner;
-                if (atVertex ? !seamsAtVertex_.contains(edges_.cutEnds[c][end]) : !isSeam(h))
-                    continue;
-                const uint32_t side = atVertex ? wedges_.find(h) : h;
-                const auto [it, isNew] =
-                    found.try_emplace({edges_.cutEnds[c][end], side}, cuts_[c].line, c);
-                if (!isNew) it->second = std::min(it->second, {cuts_[c].line, c});
+                if (atVertex ? !hasSeam(id) : !isSeam(h)) continue;
+                ends_.push_back({id, atVertex ? wedges_.find(h) : h, cuts_[c].line, c, false});
             }
         }
-        for (const auto& [place, line] : found) {
-            const auto& [id, side] = place;
-            endsAt_[id].push_back(static_cast<uint32_t>(ends_.size()));
-            ends_.push_back({id, side, line.first, line.second, false});
-        }
+        // Of those at one place the coarsest, then the first.
+        std::sort(ends_.begin(), ends_.end(), [](const SeamEnd& x, const SeamEnd& y) {
+            return std::tie(x.id, x.side, x.line, x.cut) < std::tie(y.id, y.side, y.line, y.cut);
+        });
+        ends_.erase(std::unique(ends_.begin(), ends_.end(),
+                                [](const SeamEnd& x, const SeamEnd& y) {
+                                    return x.id == y.id && x.side == y.side;
+                                }),
+                    ends_.end());
         for (SeamEnd& end : ends_) {
+            const std::span<const SeamEnd> there = endsAt(end.id);
             if (isEdgePoint(end.id)) {
                 // Open unless a line ends at the very same point on the glued side, or runs along.
                 const uint32_t o = topology_.opposite[end.side];
-                const auto& there = endsAt_[end.id];
                 const bool continued = std::any_of(there.begin(), there.end(),
-                                                   [&](uint32_t e) { return ends_[e].side == o; });
+                                                   [&](const SeamEnd& e) { return e.side == o; });
                 end.open = !continued && !pieceMarkedAt(end.id);
             } else {
-                end.open = endsAt_[end.id].size() == 1 && !pieceMarkedAt(end.id);
+                end.open = there.size() == 1 && !pieceMarkedAt(end.id);
             }
         }
     }
@@ -121,7 +150,7 @@ class SeamJoiner {
             const uint32_t edge = edges_.points[p].edge;
             return edges_.pieceLine[p + edge] != 0 || edges_.pieceLine[p + edge + 1] != 0;
         }
-        for (const uint32_t h : seamsAtVertex_.at(id)) {
+        for (const uint32_t h : seamsAt(id)) {
             const uint32_t edge = topology_.halfEdgeEdge[h];
             const bool atLow = topology_.edges[edge].low == id;
             const uint32_t piece = edges_.firstPiece(edge) + (atLow ? 0 : edges_.pointCount(edge));
@@ -172,7 +201,7 @@ class SeamJoiner {
 
     void walkFromVertex(uint32_t vertex, uint32_t ownWedge, const Walk& walk) {
         if (walk.edges.size() > 8) return;  // tiny seam edges around a needle: far enough
-        for (const uint32_t h : seamsAtVertex_.at(vertex)) {
+        for (const uint32_t h : seamsAt(vertex)) {
             const uint32_t edge = topology_.halfEdgeEdge[h];
             uint32_t own = kNone;
             for (const uint32_t side : {h, topology_.opposite[h]}) {
@@ -191,13 +220,11 @@ class SeamJoiner {
     }
 
     void offer(uint32_t id, uint32_t ownSide, const Walk& walk) {
-        const auto it = endsAt_.find(id);
-        if (it == endsAt_.end()) return;
-        for (const uint32_t e : it->second) {
-            if (ends_[e].side == ownSide) continue;
-            const bool otherLevel =
-                lines_.level(ends_[e].line) != lines_.level(ends_[walk.from].line);
-            joins_.push_back({walk.from, e, walk.distance, otherLevel, walk.pieces});
+        for (const SeamEnd& end : endsAt(id)) {
+            if (end.side == ownSide) continue;
+            const bool otherLevel = lines_.level(end.line) != lines_.level(ends_[walk.from].line);
+            const auto to = static_cast<uint32_t>(&end - ends_.data());
+            joins_.push_back({walk.from, to, walk.distance, otherLevel, walk.pieces});
         }
     }
 
@@ -264,11 +291,9 @@ class SeamJoiner {
     const SeamOptions& options_;
     ResolvedEdges& edges_;
     UnionFind wedges_;
-    std::vector<uint32_t> seamHalfEdges_;
-    std::map<uint32_t, std::vector<uint32_t>>
-        seamsAtVertex_;  ///< vertex -> seam half edges touching it
-    std::vector<SeamEnd> ends_;
-    std::map<uint32_t, std::vector<uint32_t>> endsAt_;  ///< id -> ends there
+    std::vector<uint32_t> seamsFrom_;      ///< per vertex, and one more: into seamHalfEdges_
+    std::vector<uint32_t> seamHalfEdges_;  ///< those that touch each vertex
+    std::vector<SeamEnd> ends_;            ///< sorted by id, then side
     std::vector<Join> joins_;
     std::vector<uint32_t> loose_;
     SeamReport report_;

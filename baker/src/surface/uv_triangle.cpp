@@ -29,12 +29,11 @@ Result<std::vector<UvTriangle>> snapUv(const SurfaceMesh& mesh) {
     };
     std::vector<UvTriangle> triangles(mesh.corners.size());
     for (size_t t = 0; t < triangles.size(); ++t) {
-        const glm::dmat3 place = mesh.placements.empty() ? glm::dmat3(1.0) : placeOf(t);
-        const bool plain = place == glm::dmat3(1.0);
+        const bool plain = mesh.placements.empty() || placeOf(t) == glm::dmat3(1.0);
         for (size_t k = 0; k < 3; ++k) {
             const float* value = &uv->values[2 * size_t{mesh.corners[t][k]}];
             glm::dvec3 at(value[0], value[1], 1);
-            if (!plain) at = place * at;
+            if (!plain) at = placeOf(t) * at;
             const std::optional<GridPoint> snapped = snapToGrid(at.x, at.y);
             if (!snapped) {
                 return fail(

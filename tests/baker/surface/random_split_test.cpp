@@ -21,7 +21,7 @@ struct Tally {
 std::string whatBreaks(const SurfaceMesh& mesh, const FractureMap& map, bool partition,
                        Tally& tally) {
     const MeshTopology before = buildTopology(mesh.positions, mesh.triangles);
-    const Result<CutSurface> cut = cutSurface(mesh, before, planOf(map), {{0, false}});
+    const Result<CutSurface> cut = cutSurface(mesh, before, planOf(map), exactOptions());
     if (!cut) return cut.error().message;
     const Components components =
         floodFill(cut->surface, cut->topology, cut->lines, cut->lines.levels());

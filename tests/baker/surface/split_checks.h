@@ -10,6 +10,14 @@
 
 namespace sherd::test {
 
+/// Lines are cut where they are drawn and nowhere else: neither repeated nor joined at seams.
+inline CutOptions exactOptions() {
+    CutOptions options;
+    options.seams = {0, false};
+    options.wrap = PageWrap::none;
+    return options;
+}
+
 /// Every piece of a mesh edge is used as often in each direction as the edge was, every other edge
 /// once each way; pieces of an edge are the same vertices, and so the same bits, on all its sides.
 /// `topology` says of the split surface what this finds.

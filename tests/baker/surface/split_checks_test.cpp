@@ -22,7 +22,7 @@ struct Checked {
     Checked() {
         map.lines.push_back({{{0.03, -0.01}, {0.03, 1.01}}, 2, "test"});
         const MeshTopology before = buildTopology(mesh.positions, mesh.triangles);
-        cut = *cutSurface(mesh, before, planOf(map), {{0, false}});
+        cut = *cutSurface(mesh, before, planOf(map), exactOptions());
         fill();
     }
     void fill() { components = floodFill(cut.surface, cut.topology, cut.lines, 2); }
