@@ -92,12 +92,15 @@ class SurfaceCutter {
                 projected.emplace_back(std::move(page), &drawing.projection);
             }
         }
-        if (!uv.map.lines.empty()) {
+        // Charts alone are cells, too.
+        if (!uv.map.lines.empty() || seamLine != 0) {
             if (auto ok = cutByUv(uv, seamLine); !ok) return ok;
         }
         for (auto& [page, projection] : projected) {
             const PageFrames frames = projectedFrames(mesh_, result_.surface, *projection);
-            tile(page, Wrap::repeat, Wrap::repeat, {0, frames.tilesU - 1, 0, 0});
+            // Around an axis what sticks out of one side of the page comes in on the other.
+            if (frames.tilesU > 1)
+                tile(page, Wrap::repeat, Wrap::repeat, {-1, frames.tilesU - 1, 0, 0});
             if (auto ok = cutPage(page, frames.triangles); !ok) return ok;
         }
         return {};
@@ -489,7 +492,8 @@ class SurfaceCutter {
         };
     }
 
-    double diagonal() const {
+    /// Of what triangles use.
+    std::pair<glm::dvec3, glm::dvec3> extent() const {
         glm::dvec3 low(1e300);
         glm::dvec3 high(-1e300);
         for (const SplitTriangle& t : result_.surface.triangles) {
@@ -498,6 +502,10 @@ class SurfaceCutter {
                 high = glm::max(high, glm::dvec3(result_.surface.positions[v]));
             }
         }
+        return {low, high};
+    }
+    double diagonal() const {
+        const auto [low, high] = extent();
         return glm::distance(low, high);
     }
 
@@ -513,8 +521,15 @@ class SurfaceCutter {
         if (radial) {
             plane = radialPlane(pattern);
             reach = 0;
-            for (const glm::vec3& p : result_.surface.positions)
-                reach = std::max(reach, glm::length(plane.at(p)));
+            for (const SplitTriangle& t : result_.surface.triangles)
+                for (const uint32_t v : t.v)
+                    reach = std::max(reach, glm::length(plane.at(result_.surface.positions[v])));
+            constexpr double kFarthest = 4;  // beyond, all the object lies within a sector or two
+            if (!(reach <= kFarthest))
+                return fail(ErrorCode::badArgument,
+                            "the radial pattern's centre lies more than 4 diagonals of the object "
+                            "beside it; move it (at=X,Y,Z) onto the object or near it",
+                            "pattern \"" + pattern.text + "\"");
         } else if (kind == Kind::planar) {
             plane = fitPage(result_.surface, pattern.projection.axis);
         }
@@ -542,10 +557,14 @@ class SurfaceCutter {
             // What faces another side for a moment (a groove, a rivet) strays to its neighbours.
             cells.wholeCells = false;
             cells.asked = 6 * drawn.cells;
-            cells.cellOf = [this, planes = boxPlanes(result_.surface), cellAt = drawn.cellAt,
-                            count = drawn.cells](uint32_t, uint32_t source,
-                                                 const glm::dvec3& position) {
-                const uint8_t side = boxSide(mesh_, source);
+            // Asked after this cutter is gone: the sides are found now.
+            std::vector<uint8_t> sides;
+            for (uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+                sides.push_back(boxSide(mesh_, t));
+            cells.cellOf = [sides = std::move(sides), planes = boxPlanes(result_.surface),
+                            cellAt = drawn.cellAt, count = drawn.cells](
+                               uint32_t, uint32_t source, const glm::dvec3& position) {
+                const uint8_t side = sides[source];
                 return side * count + cellAt(planes[side].at(position));
             };
         }
@@ -566,12 +585,7 @@ class SurfaceCutter {
             plane.origin = glm::inverse(glm::dquat(pose.rotation)) *
                            (*pattern.centre - glm::dvec3(pose.translation));
         } else {
-            glm::dvec3 low(1e300);
-            glm::dvec3 high(-1e300);
-            for (const glm::vec3& p : result_.surface.positions) {
-                low = glm::min(low, glm::dvec3(p));
-                high = glm::max(high, glm::dvec3(p));
-            }
+            const auto [low, high] = extent();
             plane.origin = (low + high) * 0.5;
         }
         return plane;
