@@ -245,7 +245,8 @@ TEST_CASE("what a line says reaches the bonds along it and no others") {
 }
 
 TEST_CASE("every kind of pattern bakes into a file that passes the check") {
-    for (const std::string text : {"voronoi:8:2", "wood:6", "grid:2x2", "grid:1x2:brick", "radial:4x2"}) {
+    for (const std::string text :
+         {"voronoi:8:2", "wood:6", "grid:2x2", "grid:1x2:brick", "radial:4x2"}) {
         CAPTURE(text);
         checkFile(text[0] == 'v' ? torus(16, 8) : chartedCube(1, 3), patterns({text}));
     }

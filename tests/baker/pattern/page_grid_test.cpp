@@ -6,9 +6,9 @@
 #include <set>
 
 #include "shapes.h"
-#include "surface/page_frames.h"
 #include "support/plans.h"
 #include "support/property.h"
+#include "surface/page_frames.h"
 
 using namespace sherd;
 using namespace sherd::test;
@@ -42,7 +42,7 @@ std::vector<double> areas(const Grown& grown) {
 TEST_CASE("a planar grid cuts a slab into columns times rows, through front and back") {
     const SurfaceMesh slab = voxels(4, 3, 1, [](int, int, int) { return true; });
     for (const std::string text : {"grid:4x3", "grid:4x3:on=planar/z", "grid:4x3:on=planar/-z",
-                             "grid:4x3:7:jitter=1", "grid:4x3:on=planar"}) {
+                                   "grid:4x3:7:jitter=1", "grid:4x3:on=planar"}) {
         CAPTURE(text);
         CHECK(grow(slab, text).count() == 12);
         CHECK(grow(thinPlate(), text).count() == 12);
@@ -88,11 +88,14 @@ TEST_CASE("a grid around an axis has its columns all around") {
 }
 
 TEST_CASE("broken glass has sectors times rings") {
-    const SurfaceMesh disc = voxels(16, 16, 1, [](int x, int y, int) {
-        return (2 * x - 15) * (2 * x - 15) + (2 * y - 15) * (2 * y - 15) < 256;
-    }, glm::vec3(0.1F, 0.1F, 0.05F));
+    const SurfaceMesh disc = voxels(
+        16, 16, 1,
+        [](int x, int y, int) {
+            return (2 * x - 15) * (2 * x - 15) + (2 * y - 15) * (2 * y - 15) < 256;
+        },
+        glm::vec3(0.1F, 0.1F, 0.05F));
     for (const std::string text : {"radial:6x3", "radial:6x3:9:jitter=1", "radial:6x3:2:jitter=0",
-                             "radial:6x3:1:axis=z", "radial:6x3:1:axis=-z"}) {
+                                   "radial:6x3:1:axis=z", "radial:6x3:1:axis=-z"}) {
         CAPTURE(text);
         CHECK(grow(disc, text).count() == 18);
     }
@@ -107,8 +110,9 @@ TEST_CASE("broken glass has sectors times rings") {
 }
 
 TEST_CASE("glass struck far beside the object is still a bake, or refused with the reason") {
-    for (const std::string text : {"radial:6x3:1:at=30,0,0", "radial:6x3:1:at=1e6,0,0",
-                             "radial:6x3:1:at=1e300,1e300,1e300", "radial:6x3:1:at=0,0,1e6"}) {
+    for (const std::string text :
+         {"radial:6x3:1:at=30,0,0", "radial:6x3:1:at=1e6,0,0", "radial:6x3:1:at=1e300,1e300,1e300",
+          "radial:6x3:1:at=0,0,1e6"}) {
         CAPTURE(text);
         const SurfaceMesh mesh = chartedCube(1, 2);
         const MeshTopology topology = buildTopology(mesh.positions, mesh.triangles);
@@ -127,16 +131,17 @@ TEST_CASE("glass struck far beside the object is still a bake, or refused with t
 TEST_CASE("a planar drawing cuts front and back alike, wherever it lies") {
     for (const std::string projection : {"planar:z", "planar:-z", "planar:x", "planar:y"}) {
         CAPTURE(projection);
-        const Grown grown = grow(chartedCube(1, 2), drawing({{{0.3, -0.1}, {0.3, 1.1}}}, projection));
+        const Grown grown =
+            grow(chartedCube(1, 2), drawing({{{0.3, -0.1}, {0.3, 1.1}}}, projection));
         CHECK(grown.count() == 2);
         std::vector<double> area = areas(grown);
         std::sort(area.begin(), area.end());
         CHECK(area[0] == doctest::Approx(1 + 4 * 0.3).epsilon(1e-5));
     }
     // A closed line in the middle is a plug's two caps: the sides are untouched.
-    const Grown plug = grow(
-        chartedCube(1, 2),
-        drawing({{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}, {0.3, 0.3}}}, "planar:z"));
+    const Grown plug =
+        grow(chartedCube(1, 2),
+             drawing({{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}, {0.3, 0.3}}}, "planar:z"));
     CHECK(plug.count() == 3);
 }
 
@@ -152,17 +157,17 @@ TEST_CASE("a cylindrical drawing joins over the page's edge without a seam") {
     CHECK(wave.count() == 2);
     // A closed line over the edge of the page, drawn past it.
     const Grown spot = grow(
-        tube(12, 3),
-        drawing({{{0.95, 0.4}, {1.05, 0.4}, {1.05, 0.6}, {0.95, 0.6}, {0.95, 0.4}}}, "cylindrical:y"));
+        tube(12, 3), drawing({{{0.95, 0.4}, {1.05, 0.4}, {1.05, 0.6}, {0.95, 0.6}, {0.95, 0.4}}},
+                             "cylindrical:y"));
     CHECK(spot.count() == 3);  // the outer wall's patch, the inner one's, the rest
     for (const char* axis : {"cylindrical", "cylindrical:-y", "cylindrical:x", "cylindrical:1,2,3"})
         CHECK(grow(tube(12, 3), drawing({{{-0.1, 0.45}, {1.1, 0.45}}}, axis)).count() >= 2);
 }
 
 TEST_CASE("a drawing on a box lies on each of its sides") {
-    const Grown spots = grow(
-        chartedCube(1, 2),
-        drawing({{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}, {0.3, 0.3}}}, "box"));
+    const Grown spots =
+        grow(chartedCube(1, 2),
+             drawing({{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}, {0.3, 0.3}}}, "box"));
     CHECK(spots.count() == 7);
     // Middle lines of four sides meet at the edges.
     const Grown rings = grow(chartedCube(1, 2), drawing({{{-0.1, 0.5}, {1.1, 0.5}}}, "box"));

@@ -71,18 +71,21 @@ TEST_CASE("every documented form of a pattern is read") {
 TEST_CASE("a bad pattern is refused with what is allowed") {
     for (const std::string text : {"", ":", "voronoy:3", "Voronoi:3", " voronoi:3", "\0"})
         refused(text, "known are voronoi:N, grid:NxM, radial:NxM and wood:N");
-    for (const std::string text : {"voronoi", "voronoi:", "voronoi:0", "voronoi:-3", "voronoi:100001",
-                             "voronoi:99999999999999", "voronoi:2.5", "voronoi:nan", "voronoi: 3",
-                             "voronoi:3x3", "wood:", "voronoi:+3"})
+    for (const std::string text :
+         {"voronoi", "voronoi:", "voronoi:0", "voronoi:-3", "voronoi:100001",
+          "voronoi:99999999999999", "voronoi:2.5", "voronoi:nan", "voronoi: 3", "voronoi:3x3",
+          "wood:", "voronoi:+3"})
         refused(text, "a number of pieces from 1 to 100000");
-    for (const std::string text : {"grid", "grid:", "grid:4", "grid:4x", "grid:x4", "grid:4x0",
-                             "grid:0x4", "grid:1001x2", "grid:4x4x4", "radial:-1x3", "grid:4X3"})
+    for (const std::string text :
+         {"grid", "grid:", "grid:4", "grid:4x", "grid:x4", "grid:4x0", "grid:0x4", "grid:1001x2",
+          "grid:4x4x4", "radial:-1x3", "grid:4X3"})
         refused(text, "COLUMNSxROWS");
-    for (const std::string text : {"voronoi:3:", "voronoi:3:-1", "voronoi:3:4294967296", "grid:4x3:box",
-                             "voronoi:3:1.5", "radial:4x4:seed"})
+    for (const std::string text : {"voronoi:3:", "voronoi:3:-1", "voronoi:3:4294967296",
+                                   "grid:4x3:box", "voronoi:3:1.5", "radial:4x4:seed"})
         refused(text, "is not a seed, a whole number from 0 to 4294967295");
-    for (const std::string text : {"voronoi:3:jitter=", "voronoi:3:jitter=2", "voronoi:3:jitter=nan",
-                             "voronoi:3:jitter=-0.1", "voronoi:3:jitter=inf", "voronoi:3:1:jitter"})
+    for (const std::string text :
+         {"voronoi:3:jitter=", "voronoi:3:jitter=2", "voronoi:3:jitter=nan",
+          "voronoi:3:jitter=-0.1", "voronoi:3:jitter=inf", "voronoi:3:1:jitter"})
         refused(text, "is not a number from 0 to 1");
     refused("voronoi:3:1:", "known are jitter, around, spread, density");
     refused("voronoi:3:1:2", "known are jitter, around, spread, density");
@@ -112,9 +115,9 @@ TEST_CASE("axes are letters with a sign or three numbers, and come out as unit v
     CHECK(glm::length(*parseAxis("3,4,0") - glm::dvec3(0.6, 0.8, 0)) < 1e-15);
     for (const char* tiny : {"1e-20,0,0", "0,1e20,0", "-1e-29,2e-29,0"})
         CHECK(std::abs(glm::length(*parseAxis(tiny)) - 1) < 1e-12);
-    for (const std::string bad : {"", "-", "--x", "w", "xy", "X", "1", "1,2", "1,2,3,4", "0,0,0", ",,",
-                            "nan,0,0", "inf,0,0", "1e300,1e300,0", "1e999,0,0", "1e-200,0,0",
-                            "1,2,3 "}) {
+    for (const std::string bad :
+         {"", "-", "--x", "w", "xy", "X", "1", "1,2", "1,2,3,4", "0,0,0", ",,", "nan,0,0",
+          "inf,0,0", "1e300,1e300,0", "1e999,0,0", "1e-200,0,0", "1,2,3 "}) {
         CAPTURE(bad);
         const Result<glm::dvec3> axis = parseAxis(bad);
         REQUIRE_FALSE(axis.has_value());
@@ -131,7 +134,7 @@ TEST_CASE("projections are uv, box, planar and cylindrical, the latter two with 
     CHECK(*parseProjection("cylindrical:0,0,-2") ==
           Projection{Projection::Kind::cylindrical, {0, 0, -1}});
     for (const std::string bad : {"", "sphere", "planar:", "planar:0,0,0", "uv:x", "uv:", "box:z",
-                            "planar:x:y", "planar/x", "cylindrical:q"}) {
+                                  "planar:x:y", "planar/x", "cylindrical:q"}) {
         CAPTURE(bad);
         const Result<Projection> projection = parseProjection(bad);
         REQUIRE_FALSE(projection.has_value());
@@ -141,10 +144,13 @@ TEST_CASE("projections are uv, box, planar and cylindrical, the latter two with 
 }
 
 TEST_CASE("random words are read within bounds or refused with a message") {
-    const std::vector<std::string> words{
-        "voronoi", "grid", "radial", "wood", ":", ":", ":", "4", "3x5", "x", "=", "jitter=",
-        "0.5", "-1", "nan", "1e999", "axis=", "around=", "1,2,3", ";", ",", "on=", "planar/",
-        "box", "brick", "at=", "spread=", "density=", "color", "\xff", " ", "elongation=", "y"};
+    const std::vector<std::string> words{"voronoi", "grid",        "radial",   "wood",  ":",
+                                         ":",       ":",           "4",        "3x5",   "x",
+                                         "=",       "jitter=",     "0.5",      "-1",    "nan",
+                                         "1e999",   "axis=",       "around=",  "1,2,3", ";",
+                                         ",",       "on=",         "planar/",  "box",   "brick",
+                                         "at=",     "spread=",     "density=", "color", "\xff",
+                                         " ",       "elongation=", "y"};
     const int cases = propertyCases(20000);
     int read = 0;
     for (int i = 0; i < cases; ++i) {

@@ -57,7 +57,8 @@ inline SurfaceMesh genusTwo() {
 }
 
 inline SurfaceMesh thinPlate() {
-    return voxels(16, 12, 1, [](int, int, int) { return true; }, glm::vec3(0.25F, 0.25F, 0.05F));
+    return voxels(
+        16, 12, 1, [](int, int, int) { return true; }, glm::vec3(0.25F, 0.25F, 0.05F));
 }
 
 /// A ball of rings and sectors; poles are fans. Its middle is the origin.
@@ -68,14 +69,13 @@ inline SurfaceMesh ball(int rings, int sectors, double radius = 1) {
         const double b = 2 * M_PI * (j % sectors) / sectors;
         const double r = i == 0 || i == rings ? 0 : std::sin(a);
         const glm::dvec3 p = radius * glm::dvec3(r * std::cos(b), std::cos(a), r * std::sin(b));
-        return MeshMaker::Corner{
-            glm::vec3(p), {static_cast<float>(j) / sectors, static_cast<float>(i) / rings}};
+        return MeshMaker::Corner{glm::vec3(p),
+                                 {static_cast<float>(j) / sectors, static_cast<float>(i) / rings}};
     };
     for (int i = 0; i < rings; ++i) {
         for (int j = 0; j < sectors; ++j) {
             if (i > 0) maker.triangle(corner(i, j), corner(i, j + 1), corner(i + 1, j + 1));
-            if (i + 1 < rings)
-                maker.triangle(corner(i, j), corner(i + 1, j + 1), corner(i + 1, j));
+            if (i + 1 < rings) maker.triangle(corner(i, j), corner(i + 1, j + 1), corner(i + 1, j));
         }
     }
     return maker.mesh();
@@ -86,9 +86,8 @@ inline SurfaceMesh tube(int sectors, int rows) {
     MeshMaker maker;
     const auto corner = [&](int i, int j, double r) {
         const double a = 2 * M_PI * (i % sectors + 0.5) / sectors;
-        return MeshMaker::Corner{
-            glm::vec3(r * std::sin(a), 2.0 * j / rows, r * std::cos(a)),
-            {static_cast<float>(i) / sectors, static_cast<float>(j) / rows}};
+        return MeshMaker::Corner{glm::vec3(r * std::sin(a), 2.0 * j / rows, r * std::cos(a)),
+                                 {static_cast<float>(i) / sectors, static_cast<float>(j) / rows}};
     };
     for (int i = 0; i < sectors; ++i) {
         for (int j = 0; j < rows; ++j) {

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -86,8 +87,8 @@ TEST_CASE("a curve around a torus alone parts nothing, two of a kind do") {
 TEST_CASE("curves on a cube: over edges, through vertices, along edges and within one triangle") {
     const SurfaceMesh mesh = chartedCube();
     // Around four sides, places in faces.
-    separates(draw(mesh, {{{1, 0.3, 0.4}, {0.3, 1, 0.4}, {0, 0.6, 0.4}, {0.6, 0, 0.4},
-                           {1, 0.3, 0.4}}}));
+    separates(
+        draw(mesh, {{{1, 0.3, 0.4}, {0.3, 1, 0.4}, {0, 0.6, 0.4}, {0.6, 0, 0.4}, {1, 0.3, 0.4}}}));
     // The same with its places on edges.
     separates(draw(mesh, {{{1, 1, 0.5}, {0, 1, 0.5}, {0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}}}));
     // From vertex to vertex along edges; across faces by both diagonals.
@@ -107,10 +108,10 @@ TEST_CASE("curves on a cube: over edges, through vertices, along edges and withi
 TEST_CASE("a path over a fine cube from face to face crosses edges and vertices exactly") {
     for (const int cells : {2, 4, 8}) {
         const SurfaceMesh mesh = chartedCube(1, cells);
-        separates(draw(mesh, {{{1, 0.5, 0.5}, {0.5, 1, 0.5}, {0, 0.5, 0.5}, {0.5, 0, 0.5},
-                               {1, 0.5, 0.5}}}));
-        separates(draw(mesh, {{{1, 0.1, 0.2}, {0.2, 1, 0.7}, {0, 0.3, 0.1}, {0.6, 0, 0.9},
-                               {1, 0.1, 0.2}}}));
+        separates(draw(
+            mesh, {{{1, 0.5, 0.5}, {0.5, 1, 0.5}, {0, 0.5, 0.5}, {0.5, 0, 0.5}, {1, 0.5, 0.5}}}));
+        separates(draw(
+            mesh, {{{1, 0.1, 0.2}, {0.2, 1, 0.7}, {0, 0.3, 0.1}, {0.6, 0, 0.9}, {1, 0.1, 0.2}}}));
     }
 }
 
@@ -125,8 +126,9 @@ TEST_CASE("two curves that cross meet in branch points") {
     separates(draw(ball(8, 12), {flat, upright, third}), 8);
     // A figure of eight crosses itself: two loops and the rest.
     const SurfaceMesh mesh = chartedCube(1, 3);
-    separates(draw(mesh, {{{1, 0.2, 0.2}, {1, 0.8, 0.7}, {1, 0.8, 0.2}, {1, 0.2, 0.7},
-                           {1, 0.2, 0.2}}}), 3);
+    separates(
+        draw(mesh, {{{1, 0.2, 0.2}, {1, 0.8, 0.7}, {1, 0.8, 0.2}, {1, 0.2, 0.7}, {1, 0.2, 0.2}}}),
+        3);
 }
 
 TEST_CASE("a place off the surface is left out and reported, not a number too") {
@@ -172,15 +174,31 @@ TEST_CASE("places on different parts leave a gap that is reported") {
 
 TEST_CASE("where no plane leads the line follows edges, and says so") {
     // From one arm of a U to the other, tip to tip: the plane through both cuts each arm apart.
-    const SurfaceMesh mesh =
-        voxels(3, 3, 1, [](int x, int y, int) { return x != 1 || y == 0; });
+    const SurfaceMesh mesh = voxels(3, 3, 1, [](int x, int y, int) { return x != 1 || y == 0; });
     const Grown grown = draw(mesh, {{{0.5, 2.5, 1}, {2.5, 2.5, 1}}});
     CHECK(grown.cut.alongEdges.size() == 1);
     CHECK(grown.cut.gaps.empty());
-    // Right opposite, both normals cancel: there is no plane at all.
+    // Right opposite along the normals there is no plane at all.
     const Grown through = draw(chartedCube(1, 2), {{{0, 0.3, 0.4}, {1, 0.3, 0.4}}});
     CHECK(through.cut.gaps.empty());
     CHECK(through.cut.alongEdges.size() == 1);
+}
+
+TEST_CASE(
+    "a curve around a plate goes over its rim from one side to the other, though normals cancel") {
+    const SurfaceMesh plate = thinPlate();  // 4 x 3 x 0.05
+    const Grown grown = draw(plate, {{{1, -0.01, 0.025},
+                                      {1.2, 1.5, 0.05},
+                                      {1, 3.01, 0.025},
+                                      {1.1, 1.4, 0},
+                                      {1, -0.01, 0.025}}});
+    separates(grown);
+    CHECK(grown.cut.alongEdges.empty());
+    // Straight from the front to the back, twice.
+    const Grown across = draw(
+        plate, {{{1, 0.5, 0.05}, {1.2, 0.3, 0}, {1.5, 2.5, 0}, {1.3, 2.6, 0.05}, {1, 0.5, 0.05}}});
+    separates(across);
+    CHECK(across.cut.alongEdges.empty());
 }
 
 TEST_CASE("an open sheet: lines from border to border part it, along the border they do not") {
@@ -233,8 +251,8 @@ TEST_CASE("random closed curves on closed meshes keep the surface, simple ones p
         for (uint32_t l = 1 + random.below(3); l > 0; --l) {
             Places& places = lines.emplace_back();
             for (uint32_t n = 2 + random.below(4); n > 0; --n) {
-                const auto& v = mesh.triangles[random.below(
-                    static_cast<uint32_t>(mesh.triangles.size()))];
+                const auto& v =
+                    mesh.triangles[random.below(static_cast<uint32_t>(mesh.triangles.size()))];
                 // In faces, on edges, at vertices.
                 glm::dvec3 w(random.below(3) == 0 ? 0 : random.unit(),
                              random.below(3) == 0 ? 0 : random.unit(), 0.01 + random.unit());
@@ -248,16 +266,10 @@ TEST_CASE("random closed curves on closed meshes keep the surface, simple ones p
         const Grown grown = draw(mesh, lines);
         CHECK(grown.cut.gaps.empty());
         CHECK(grown.cut.offSurface.empty());
-        // Any closed curve on a ball or a cube that does not run back over itself parts it.
         CHECK(grown.count() >= 1);
-        // A closed curve has no end: every marked edge hangs on to another at both of its ends.
-        std::vector<uint32_t> degree(grown.cut.surface.positions.size(), 0);
-        for (uint32_t h = 0; h < 3 * grown.cut.surface.triangles.size(); ++h) {
-            const SplitTriangle& t = grown.cut.surface.triangles[h / 3];
-            if (t.line[h % 3] == 0) continue;
-            ++degree[t.v[h % 3]];
-            ++degree[t.v[(h + 1) % 3]];
-        }
-        if (lines.size() == 1 && lines[0].size() > 3) CHECK(grown.cut.deadEnds.empty());
+        // Planes lead on differently every time; along edges a line may go back as it came.
+        const bool turnsBack =
+            std::any_of(lines.begin(), lines.end(), [](const Places& p) { return p.size() < 4; });
+        if (!turnsBack && grown.cut.alongEdges.empty()) CHECK(grown.cut.deadEnds.empty());
     }
 }

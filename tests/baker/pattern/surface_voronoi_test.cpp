@@ -188,8 +188,7 @@ TEST_CASE("scaling by powers of two keeps every triangle, scaling by millions ev
 
 TEST_CASE("levels of patterns nest, each with exactly the pieces asked") {
     for (const auto& mesh : {chartedCube(1, 2), torus(16, 8), genusTwo()}) {
-        const Grown grown =
-            grow(mesh, patterns({"voronoi:4:3", "voronoi:13:2", "voronoi:40:9"}));
+        const Grown grown = grow(mesh, patterns({"voronoi:4:3", "voronoi:13:2", "voronoi:40:9"}));
         CHECK(grown.count(1) == 4);
         CHECK(grown.count(2) == 13);
         CHECK(grown.count(3) == 40);
@@ -211,8 +210,8 @@ TEST_CASE("many seeds on coarse and thin shapes: counts hold, strays or not") {
         CAPTURE(shape.name);
         const uint32_t count = 2 + random.below(60);
         std::string text = random.below(4) == 0 ? "wood:" : "voronoi:";
-        text += std::to_string(count) + ":" + std::to_string(seed) + ":jitter=" +
-                std::to_string(0.5 * random.below(3));
+        text += std::to_string(count) + ":" + std::to_string(seed) +
+                ":jitter=" + std::to_string(0.5 * random.below(3));
         CAPTURE(text);
         CHECK(grow(shape.mesh, text).count() == count);
     }
@@ -257,11 +256,11 @@ TEST_CASE("parts group by touching, overlap and containment, near misses stay ap
         const SurfaceMesh mesh = together({cube, other});
         return groupParts(mesh, buildTopology(mesh.positions, mesh.triangles)).groups;
     };
-    CHECK(groups(moved(cube, {1, 0, 0})) == 1);             // face to face
-    CHECK(groups(moved(cube, {1, 1, 1})) == 1);             // corner to corner
-    CHECK(groups(moved(cube, {0.5F, 0.5F, 0.5F})) == 1);    // overlapping
+    CHECK(groups(moved(cube, {1, 0, 0})) == 1);               // face to face
+    CHECK(groups(moved(cube, {1, 1, 1})) == 1);               // corner to corner
+    CHECK(groups(moved(cube, {0.5F, 0.5F, 0.5F})) == 1);      // overlapping
     CHECK(groups(moved(cube, glm::vec3(0.25F), 0.5F)) == 1);  // inside
-    CHECK(groups(moved(cube, glm::vec3(-1), 3)) == 1);      // around
+    CHECK(groups(moved(cube, glm::vec3(-1), 3)) == 1);        // around
     CHECK(groups(moved(cube, {std::nextafter(1.0F, 2.0F), 0, 0})) == 2);
     CHECK(groups(moved(cube, {std::nextafter(1.0F, 2.0F), 1, 1})) == 2);
     // Within the box of a frame, but in its hole.
@@ -272,7 +271,7 @@ TEST_CASE("parts group by touching, overlap and containment, near misses stay ap
 
 TEST_CASE("empty, tiny and degenerate meshes grow nothing and crash nothing") {
     for (const std::string text : {"voronoi:5", "wood:5", "grid:2x2", "grid:2x2:on=box",
-                             "grid:2x2:on=cylindrical", "radial:4x3", "grid:3x2:brick"}) {
+                                   "grid:2x2:on=cylindrical", "radial:4x3", "grid:3x2:brick"}) {
         CAPTURE(text);
         SurfaceMesh none;
         none.attributes = {{"NORMAL", 3, {}}};
@@ -309,7 +308,8 @@ TEST_CASE("an unused vertex far away changes no pattern") {
 TEST_CASE("options that are no numbers or out of range crash nothing") {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity(), 1e300, 0.0}) {
-        for (const std::string text : {"voronoi:5:around=0,0,0", "wood:5", "grid:2x2", "radial:4x3"}) {
+        for (const std::string text :
+             {"voronoi:5:around=0,0,0", "wood:5", "grid:2x2", "radial:4x3"}) {
             CAPTURE(bad);
             CAPTURE(text);
             FracturePlan plan = patterns({text});

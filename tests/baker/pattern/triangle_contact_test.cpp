@@ -45,8 +45,7 @@ std::optional<std::vector<Rational>> solve(std::vector<std::array<Rational, 5>> 
         for (size_t r = 0; r < 5; ++r) {
             if (r == row || columns[c][r] == 0) continue;
             const Rational factor = columns[c][r] / columns[c][row];
-            for (size_t d = c; d < columns.size(); ++d)
-                columns[d][r] -= factor * columns[d][row];
+            for (size_t d = c; d < columns.size(); ++d) columns[d][r] -= factor * columns[d][row];
             right[r] -= factor * right[row];
         }
     }
@@ -110,9 +109,9 @@ TEST_CASE("triangles that are segments touch what they cross, end on or overlap"
     CHECK(touch(segment({1, 1, -1}, {1, 1, 1}), kFloor));
     CHECK(touch(segment({1, 1, 0}, {1, 1, 1}), kFloor));
     CHECK_FALSE(touch(segment({1, 1, 0x1p-60}, {1, 1, 1}), kFloor));
-    CHECK(touch(segment({1, 1, 0}, {2, 1, 0}), kFloor));      // within the face
-    CHECK(touch(segment({-1, 1, 0}, {5, 1, 0}), kFloor));     // through the face
-    CHECK(touch(segment({4, 0, 0}, {8, 0, 0}), kFloor));      // ahead of an edge
+    CHECK(touch(segment({1, 1, 0}, {2, 1, 0}), kFloor));   // within the face
+    CHECK(touch(segment({-1, 1, 0}, {5, 1, 0}), kFloor));  // through the face
+    CHECK(touch(segment({4, 0, 0}, {8, 0, 0}), kFloor));   // ahead of an edge
     CHECK_FALSE(touch(segment({5, 0, 0}, {8, 0, 0}), kFloor));
     CHECK(touch(segment({0, 0, 0}, {2, 2, 2}), segment({1, 1, 1}, {3, 3, 3})));
     CHECK_FALSE(touch(segment({0, 0, 0}, {1, 1, 1}), segment({2, 2, 2}, {3, 3, 3})));
@@ -124,10 +123,10 @@ TEST_CASE("triangles that are segments touch what they cross, end on or overlap"
 TEST_CASE("triangles touch by vertex, edge, face, overlap and containment") {
     const Triangle up{glm::dvec3(1, 1, 0), glm::dvec3(1, 1, 4), glm::dvec3(2, 1, 4)};
     CHECK(touch(kFloor, kFloor));
-    CHECK(touch(kFloor, up));                                // a vertex on the face
-    CHECK(touch(kFloor, moved(up, {-1, -1, 0})));            // vertex on vertex
-    CHECK(touch(kFloor, moved(up, {1, -1, 0})));             // vertex on edge
-    CHECK(touch(kFloor, moved(up, {0, 0, -1})));             // an edge through the face
+    CHECK(touch(kFloor, up));                      // a vertex on the face
+    CHECK(touch(kFloor, moved(up, {-1, -1, 0})));  // vertex on vertex
+    CHECK(touch(kFloor, moved(up, {1, -1, 0})));   // vertex on edge
+    CHECK(touch(kFloor, moved(up, {0, 0, -1})));   // an edge through the face
     CHECK_FALSE(touch(kFloor, moved(up, {0, 0, 0x1p-40})));
     CHECK(touch(kFloor, {glm::dvec3(1, -1, 1), glm::dvec3(1, 1, -1), glm::dvec3(1, 4, 9)}));
     CHECK(touch(kFloor, {glm::dvec3(4, 0, 0), glm::dvec3(0, 4, 0), glm::dvec3(4, 4, 0)}));
