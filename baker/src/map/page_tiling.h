@@ -22,7 +22,7 @@ struct TiledLines {
 };
 
 /// repeat: every tile shows the whole drawing, what sticks out of the page included. mirror: every
-/// other one in reverse. clamp: what crosses the page's edge goes on straight outwards, what lies
+/// other one in reverse. clamp: what meets the page's edge goes on straight outwards, what lies
 /// outside is left out. Copies are exact: points are brought to the grid before they are moved.
 TiledLines tileLines(const std::vector<FractureMap::Line>& lines, Wrap wrapU, Wrap wrapV,
                      const TileRange& range);

@@ -34,6 +34,15 @@ std::vector<uint32_t> shareOut(uint32_t count, const std::vector<double>& weight
     return share;
 }
 
+/// A vertex that no triangle uses must not coarsen the grid.
+std::vector<glm::vec3> usedPositions(const SplitSurface& surface) {
+    std::vector<glm::vec3> used;
+    used.reserve(3 * surface.triangles.size());
+    for (const SplitTriangle& t : surface.triangles)
+        for (const uint32_t v : t.v) used.push_back(surface.positions[v]);
+    return used;
+}
+
 /// The sites of every domain, to find the cell of a place later.
 struct CellFinder {
     SiteGrid grid;
@@ -67,7 +76,9 @@ Growth growCells(const GrowthInput& input, const Pattern& pattern, uint32_t leve
     const std::vector<uint32_t> share = shareOut(pattern.count, weights);
     const bool wood = pattern.kind == Pattern::Kind::wood;
     const auto finder = std::make_shared<CellFinder>(CellFinder{
-        SiteGrid(input.surface.positions, input.grain, wood ? pattern.elongation : 1), {}, {}});
+        SiteGrid(usedPositions(input.surface), input.grain, wood ? pattern.elongation : 1),
+        {},
+        {}});
 
     Growth growth;
     for (size_t d = 0; d < domains.triangles.size(); ++d) {

@@ -131,7 +131,7 @@ class PatternReader {
                 if (key == "density") return readDensity(value);
                 return unknown(key, "jitter, axis, elongation, density");
             case Kind::grid:
-                if (key == "brick") return pattern_.brick = true;
+                if (part == "brick") return pattern_.brick = true;
                 if (key == "on") return readProjection(value);
                 return unknown(key, "jitter, brick, on");
             case Kind::radial:

@@ -90,13 +90,16 @@ class PlanCutter {
                 projected.emplace_back(std::move(page), &drawing.projection);
             }
         }
-        if (!uv.map.lines.empty()) {
+        // Charts alone are cells, too.
+        if (!uv.map.lines.empty() || seamLine != 0) {
             if (auto ok = cutter.cutByUv(uv, seamLine); !ok) return ok;
         }
         for (auto& [page, projection] : projected) {
             const PageFrames frames =
                 projectedFrames(work_.mesh, work_.result.surface, *projection);
-            tilePage(page, Wrap::repeat, Wrap::repeat, {0, frames.tilesU - 1, 0, 0});
+            // Around an axis what sticks out of one side of the page comes in on the other.
+            if (frames.tilesU > 1)
+                tilePage(page, Wrap::repeat, Wrap::repeat, {-1, frames.tilesU - 1, 0, 0});
             if (auto ok = cutter.cutPage(page, frames.triangles, 0); !ok) return ok;
         }
         return {};

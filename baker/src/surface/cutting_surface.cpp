@@ -75,9 +75,15 @@ void CuttingSurface::findDeadEnds(const Pass& pass, std::span<const Cut> cuts) {
     std::map<uint32_t, const Cut*> cutOfNode;
     std::optional<MapIndex> index;
     for (const Cut& cut : cuts) {
-        for (const CutEnd& end : {cut.from, cut.to}) {
+        for (const bool atStart : {true, false}) {
+            const CutEnd& end = atStart ? cut.from : cut.to;
             if (end.where == CutEnd::Where::inside && degree[end.node] == 1)
                 cutOfNode.try_emplace(end.node, &cut);
+            if (end.where != CutEnd::Where::edge || !pass.seams) continue;
+            const MapEdge& edge = pass.map.edges[cut.mapEdge];
+            const uint32_t node = atStart ? edge.from : edge.to;
+            if (degree[node] == 1 && endsOnEdge(pass, cut.triangle, end, node))
+                cutOfNode.try_emplace(node, &cut);
         }
     }
     for (const auto& [node, cut] : cutOfNode) {
@@ -91,6 +97,18 @@ void CuttingSurface::findDeadEnds(const Pass& pass, std::span<const Cut> cuts) {
         }
         result.deadEnds.push_back({position, uvAt(cut->triangle, position), note});
     }
+}
+
+bool CuttingSurface::endsOnEdge(const Pass& pass, uint32_t triangle, const CutEnd& end,
+                                uint32_t node) const {
+    const uint32_t h = 3 * triangle + end.k;
+    if (result.topology.opposite[h] == kNone || isUvSeam(result.topology, pass.frames, h))
+        return false;
+    const auto& corner = pass.frames[triangle].corner;
+    const glm::dvec2 a(corner[end.k].u, corner[end.k].v);
+    const glm::dvec2 b(corner[(end.k + 1) % 3].u, corner[(end.k + 1) % 3].v);
+    const glm::dvec2 place = a + (b - a) * end.t.approximate();
+    return glm::distance(place / double{kGridOne}, nodeUv(pass.map, node)) < 1e-9;
 }
 
 glm::dvec3 CuttingSurface::positionAt(uint32_t triangle, const UvTriangle& frame,

@@ -45,6 +45,8 @@ class CuttingSurface {
     /// Where lines end in the middle of the surface.
     void findDeadEnds(const Pass& pass, std::span<const Cut> cuts);
     /// The place of the frame's point on the triangle.
+    /// Whether a cut's end on an edge inside a chart is its line's own end, for reports.
+    bool endsOnEdge(const Pass& pass, uint32_t triangle, const CutEnd& end, uint32_t node) const;
     glm::dvec3 positionAt(uint32_t triangle, const UvTriangle& frame, const glm::dvec2& uv) const;
 };
 

@@ -49,8 +49,15 @@ Result<void> PatternCutter::growPage(const Pattern& pattern, uint32_t level, uin
     if (radial) {
         plane = radialPlane(pattern);
         reach = 0;
-        for (const glm::vec3& p : work_.result.surface.positions)
-            reach = std::max(reach, glm::length(plane.at(p)));
+        for (const SplitTriangle& t : work_.result.surface.triangles)
+            for (const uint32_t v : t.v)
+                reach = std::max(reach, glm::length(plane.at(work_.result.surface.positions[v])));
+        constexpr double kFarthest = 4;  // beyond, all the object lies within a sector or two
+        if (!(reach <= kFarthest))
+            return fail(ErrorCode::badArgument,
+                        "the radial pattern's centre lies more than 4 diagonals of the object "
+                        "beside it; move it (at=X,Y,Z) onto the object or near it",
+                        "pattern \"" + pattern.text + "\"");
     } else if (kind == Kind::planar) {
         plane = fitPage(work_.result.surface, pattern.projection.axis);
     }
@@ -79,10 +86,14 @@ Result<void> PatternCutter::growPage(const Pattern& pattern, uint32_t level, uin
         // What faces another side for a moment (a groove, a rivet) strays to its neighbours.
         cells.wholeCells = false;
         cells.asked = 6 * drawn.cells;
-        cells.cellOf = [&mesh = work_.mesh, planes = boxPlanes(work_.result.surface),
+        // Asked after this cutter is gone: the sides are found now.
+        std::vector<uint8_t> sides;
+        for (uint32_t t = 0; t < work_.mesh.triangles.size(); ++t)
+            sides.push_back(boxSide(work_.mesh, t));
+        cells.cellOf = [sides = std::move(sides), planes = boxPlanes(work_.result.surface),
                         cellAt = drawn.cellAt, count = drawn.cells](uint32_t, uint32_t source,
                                                                     const glm::dvec3& position) {
-            const uint8_t side = boxSide(mesh, source);
+            const uint8_t side = sides[source];
             return side * count + cellAt(planes[side].at(position));
         };
     }

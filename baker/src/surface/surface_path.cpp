@@ -146,7 +146,11 @@ std::optional<SurfacePath> PathTracer::byPlane(const SurfacePoint& from, const S
                                                const Star& end, const glm::dvec3& target,
                                                uint32_t line) const {
     const glm::dvec3 origin = positionOf(surface_, from);
-    const glm::dvec3 normal = glm::cross(target - origin, normalOf(start) + normalOf(end));
+    const glm::dvec3 first = normalOf(start);
+    glm::dvec3 up = first + normalOf(end);
+    // From one side of a plate to the other the normals cancel: either holds then.
+    if (glm::length(up) < 1e-6) up = first;
+    const glm::dvec3 normal = glm::cross(target - origin, up);
     if (!(glm::dot(normal, normal) > 0)) return std::nullopt;
     const PlaneCurve curve(surface_, origin, glm::normalize(normal));
 

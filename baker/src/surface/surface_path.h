@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Lines over the surface from point to point.
 //
-// A path follows the plane through both points that holds the mean of their normals: what an artist
-// sees as straight, looking at the stroke. Geodesics were the other choice; they bend around what
-// lies near but out of sight, need a global solve for every stroke, and their crossings of edges
-// are roots, not ratios. The plane needs one number per vertex (its signed distance), so both sides
-// of an edge see the same crossing and the walk from triangle to triangle cannot lose its way.
-// Where the plane's curve does not lead from one point to the other, the path follows edges of the
-// mesh instead (Dijkstra 1959), and says so.
+// A path follows the plane through both points that holds the mean of their normals (or, where
+// these cancel, either): what an artist sees as straight, looking at the stroke. Geodesics were the
+// other choice; they bend around what lies near but out of sight, need a global solve for every
+// stroke, and their crossings of edges are roots, not ratios. The plane needs one number per vertex
+// (its signed distance), so both sides of an edge see the same crossing and the walk from triangle
+// to triangle cannot lose its way. Where the plane's curve does not lead from one point to the
+// other, the path follows edges of the mesh instead (Dijkstra 1959), and says so.
 #pragma once
 
 #include <optional>

@@ -2,6 +2,7 @@
 #include "surface/surface_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "geometry/triangle.h"
@@ -66,6 +67,9 @@ PlaceFinder::PlaceFinder(const SurfaceMesh& mesh, const SplitSurface& surface,
       tree_(surface.positions, vertexTriangles(surface)) {}
 
 std::optional<SurfacePoint> PlaceFinder::nearest(const glm::dvec3& position) const {
+    // No distance compares with what is not a number.
+    for (int k = 0; k < 3; ++k)
+        if (!std::isfinite(position[k])) return std::nullopt;
     const ClosestPoint hit =
         tree_.closest(position, std::numeric_limits<double>::infinity(),
                       [this](uint32_t triangle) { return skip_[triangle] == 0; });

@@ -30,7 +30,7 @@ class PlaceFinder {
                 std::span<const UvTriangle> uv);
 
     /// 3D: the nearest point of the surface. UV: the first triangle of the mesh that holds it.
-    /// Nothing for a UV place outside every chart.
+    /// Nothing for a UV place outside every chart, nor for what is not finite.
     std::optional<SurfacePoint> find(const SurfacePlace& place) const;
 
     /// The point of the surface nearest to a position in the object's frame.

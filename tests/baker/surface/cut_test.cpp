@@ -205,6 +205,13 @@ TEST_CASE("a line that ends in the surface is reported with its place") {
     CHECK(r.cut.deadEnds[0].position->x == doctest::Approx(0.6));
 }
 
+TEST_CASE("a line that ends exactly on an edge of the mesh is reported as well") {
+    // On the upright edges of the grid, at u = 1/2.
+    const CutResult r = cutAndCheck(flatSquare(2), linesOf({{{-0.1, 0.3}, {0.5, 0.3}}}));
+    REQUIRE(r.cut.deadEnds.size() == 1);
+    CHECK(r.cut.deadEnds[0].uv->x == doctest::Approx(0.5));
+}
+
 TEST_CASE("line ends on both sides of a corner of a chart are joined around it") {
     // On one face the line leaves just before the corner, on the next it starts just after it, so
     // the stretch between lies on two seams.
