@@ -98,7 +98,8 @@ Result<void> checkHeader(std::span<const uint8_t> bytes, const std::string& name
         return fail(ErrorCode::malformed, "neither a PNG nor a JPEG: the file's start is neither's",
                     name);
     if (png) {
-        if (const Result<void> size = checkPngSize(bytes, name); !size) return size;
+        if (const Result<void> size = checkPngSize(bytes, name); !size)
+            return tl::unexpected(size.error());
     } else if (!jpegIsWhole(bytes)) {
         return fail(ErrorCode::malformed, "the JPEG is cut off: it has no end; save it again",
                     name);

@@ -45,7 +45,8 @@ Split otsu(const Histogram& histogram, int first, int last) {
         // threshold.
         if (between == best) bestLast = v;
     }
-    split.threshold = (bestFirst + bestLast) / 2 + 0.5;
+    const int middle = (bestFirst + bestLast) / 2;
+    split.threshold = middle + 0.5;
     return split;
 }
 

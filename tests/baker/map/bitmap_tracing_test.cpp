@@ -212,7 +212,7 @@ TEST_CASE("noise on the edges of a wide line makes no branches") {
     checkSameGraph(traced(greyPng(drawing, grey)), drawing, 1.5);
 }
 
-// Of 3600 such drawings two missed by more than a texel (by up to 3.4), at junctions of sharp
+// Of 1600 such drawings two missed by more than a texel (by up to 3.4), at junctions of sharp
 // angles.
 TEST_CASE("random graphs come back as they were drawn") {
     int drawings = 0;
