@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <deque>
 #include <glm/common.hpp>
 #include <numeric>
 
@@ -20,28 +19,32 @@ uint32_t cyclic(uint32_t k) {
     return k % 3;
 }
 
-class Triangulator {
+}  // namespace
+
+class ConstrainedTriangulation::Work {
   public:
-    explicit Triangulator(const TriangulationInput& input) : in_(input) {
-        for (const ExactPoint& p : in_.points) {
+    const TriangulationResult& run(const TriangulationInput& input) {
+        in_ = &input;
+        extent_ = 0;
+        for (const ExactPoint& p : in_->points) {
             extent_ = std::max({extent_, std::abs(p.ax), std::abs(p.ay)});
         }
-        triangles_.push_back({{0, 1, 2}, {kNobody, kNobody, kNobody}, {0, 0, 0}});
-        triangleOf_.assign(in_.points.size(), 0);
-        flipsLeft_ = 40 * in_.points.size() + 40;
-    }
-
-    TriangulationResult run() {
-        for (const uint32_t p : insertionOrder()) insert(p);
-        TriangulationResult result;
-        result.valid = true;
-        for (const uint32_t i : recoveryOrder()) {
-            const TriangulationInput::Constraint& c = in_.constraints[i];
-            result.valid = result.valid && recover(c.a, c.b, c.mark);
+        triangles_.assign({{{0, 1, 2}, {kNobody, kNobody, kNobody}, {0, 0, 0}}});
+        triangleOf_.assign(in_->points.size(), 0);
+        last_ = 0;
+        flipsLeft_ = 40 * in_->points.size() + 40;
+        findInsertionOrder();
+        for (const uint32_t p : order_) insert(p);
+        result_.valid = true;
+        findRecoveryOrder();
+        for (const uint32_t i : order_) {
+            const TriangulationInput::Constraint& c = in_->constraints[i];
+            result_.valid = result_.valid && recover(c.a, c.b, c.mark);
         }
-        result.triangles.reserve(triangles_.size());
-        for (const Triangle& t : triangles_) result.triangles.push_back({t.v, t.mark});
-        return result;
+        result_.triangles.clear();
+        result_.triangles.reserve(triangles_.size());
+        for (const Triangle& t : triangles_) result_.triangles.push_back({t.v, t.mark});
+        return result_;
     }
 
   private:
@@ -55,7 +58,7 @@ class Triangulator {
     };
 
     int side(uint32_t a, uint32_t b, uint32_t c) const {
-        return orientation(in_.points[a], in_.points[b], in_.points[c], extent_);
+        return orientation(in_->points[a], in_->points[b], in_->points[c], extent_);
     }
 
     /// Few points in the order they come; many in rounds that double in number, each along a
@@ -63,40 +66,38 @@ class Triangulator {
     /// in the order are neighbours in the plane, and every round meets a triangulation that is
     /// already even, so that finding a point and flipping after it take a few steps whatever the
     /// points. (Row by row without rounds took 4.4 s for 20,000 points, this 0.1 s.)
-    std::vector<uint32_t> insertionOrder() const {
-        std::vector<uint32_t> order(in_.points.size() - 3);
-        std::iota(order.begin(), order.end(), 3U);
-        if (order.size() < 16) return order;
-        glm::dvec2 low(in_.points[0].ax, in_.points[0].ay);
+    void findInsertionOrder() {
+        order_.resize(in_->points.size() - 3);
+        std::iota(order_.begin(), order_.end(), 3U);
+        if (order_.size() < 16) return;
+        glm::dvec2 low(in_->points[0].ax, in_->points[0].ay);
         glm::dvec2 high = low;
-        for (const ExactPoint& p : in_.points) {
+        for (const ExactPoint& p : in_->points) {
             low = glm::min(low, glm::dvec2(p.ax, p.ay));
             high = glm::max(high, glm::dvec2(p.ax, p.ay));
         }
         const glm::dvec2 scale = 65535.0 / glm::max(high - low, glm::dvec2(1e-300));
-        std::vector<uint64_t> key(in_.points.size());
-        for (const uint32_t i : order) {
-            const glm::dvec2 p = (glm::dvec2(in_.points[i].ax, in_.points[i].ay) - low) * scale;
+        std::vector<uint64_t> key(in_->points.size());
+        for (const uint32_t i : order_) {
+            const glm::dvec2 p = (glm::dvec2(in_->points[i].ax, in_->points[i].ay) - low) * scale;
             const uint64_t place =
                 alongHilbertCurve(static_cast<uint32_t>(p.x), static_cast<uint32_t>(p.y));
             key[i] = uint64_t{roundOf(i)} << 32 | place;
         }
-        std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        std::sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
             return key[a] != key[b] ? key[a] < key[b] : a < b;
         });
-        return order;
     }
 
     /// Many constraints shuffled: each then crosses what lies between its neighbours among those
     /// already there only, n log n in all for parallel lines where one by one takes n^2.
-    std::vector<uint32_t> recoveryOrder() const {
-        std::vector<uint32_t> order(in_.constraints.size());
-        std::iota(order.begin(), order.end(), 0U);
-        if (order.size() < 16) return order;
-        std::sort(order.begin(), order.end(), [](uint32_t a, uint32_t b) {
+    void findRecoveryOrder() {
+        order_.resize(in_->constraints.size());
+        std::iota(order_.begin(), order_.end(), 0U);
+        if (order_.size() < 16) return;
+        std::sort(order_.begin(), order_.end(), [](uint32_t a, uint32_t b) {
             return std::pair(scrambled(a), a) < std::pair(scrambled(b), b);
         });
-        return order;
     }
 
     static uint32_t scrambled(uint32_t i) {
@@ -287,8 +288,8 @@ class Triangulator {
         double sine, cosine;
     };
     Angle angle(uint32_t at, uint32_t from, uint32_t to) const {
-        const glm::dvec2 u = in_.shape[from] - in_.shape[at];
-        const glm::dvec2 v = in_.shape[to] - in_.shape[at];
+        const glm::dvec2 u = in_->shape[from] - in_->shape[at];
+        const glm::dvec2 v = in_->shape[to] - in_->shape[at];
         return {std::abs(u.x * v.y - u.y * v.x), u.x * v.x + u.y * v.y};
     }
 
@@ -426,10 +427,10 @@ class Triangulator {
     }
 
     bool ahead(uint32_t a, uint32_t b, uint32_t c) const {
-        const glm::dvec2 ab(in_.points[b].ax - in_.points[a].ax,
-                            in_.points[b].ay - in_.points[a].ay);
-        const glm::dvec2 ac(in_.points[c].ax - in_.points[a].ax,
-                            in_.points[c].ay - in_.points[a].ay);
+        const glm::dvec2 ab(in_->points[b].ax - in_->points[a].ax,
+                            in_->points[b].ay - in_->points[a].ay);
+        const glm::dvec2 ac(in_->points[c].ax - in_->points[a].ax,
+                            in_->points[c].ay - in_->points[a].ay);
         return ab.x * ac.x + ab.y * ac.y > 0;
     }
 
@@ -437,10 +438,9 @@ class Triangulator {
     /// to wait for others, so this takes the square of their number at worst.
     bool flipAway(uint32_t a, uint32_t b) {
         size_t limit = 16 * (crossed_.size() + 4) * (crossed_.size() + 4);
-        while (!crossed_.empty()) {
+        for (size_t i = 0; i < crossed_.size(); ++i) {  // grows by what has to wait
             if (limit-- == 0) return false;
-            const auto [p, q] = crossed_.front();
-            crossed_.pop_front();
+            const auto [p, q] = crossed_[i];
             const Edge e = findEdge(p, q);
             if (!flippable(e)) {
                 crossed_.emplace_back(p, q);
@@ -562,21 +562,28 @@ class Triangulator {
         }
     }
 
-    const TriangulationInput& in_;
+    const TriangulationInput* in_ = nullptr;
+    TriangulationResult result_;
+    std::vector<uint32_t> order_;
     double extent_ = 0;
     std::vector<Triangle> triangles_;
     std::vector<uint32_t> triangleOf_;
     std::vector<Edge> suspects_;
-    std::deque<std::pair<uint32_t, uint32_t>> crossed_;  ///< by the constraint being recovered
-    std::vector<uint32_t> cavity_;                       ///< the triangles it crosses
+    std::vector<std::pair<uint32_t, uint32_t>> crossed_;  ///< by the constraint being recovered
+    std::vector<uint32_t> cavity_;                        ///< the triangles it crosses
     uint32_t last_ = 0;
     size_t flipsLeft_ = 0;
 };
 
-}  // namespace
+ConstrainedTriangulation::ConstrainedTriangulation() : work_(std::make_unique<Work>()) {}
+ConstrainedTriangulation::~ConstrainedTriangulation() = default;
+
+const TriangulationResult& ConstrainedTriangulation::run(const TriangulationInput& input) {
+    return work_->run(input);
+}
 
 TriangulationResult triangulate(const TriangulationInput& input) {
-    return Triangulator(input).run();
+    return ConstrainedTriangulation().run(input);
 }
 
 }  // namespace sherd

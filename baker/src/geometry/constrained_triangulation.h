@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <vector>
 
 #include "geometry/exact_point.h"
@@ -38,5 +39,18 @@ struct TriangulationResult {
 };
 
 TriangulationResult triangulate(const TriangulationInput& input);
+
+/// The same for many inputs in a row, in memory that is kept.
+class ConstrainedTriangulation {
+  public:
+    ConstrainedTriangulation();
+    ~ConstrainedTriangulation();
+    /// Good until the next call.
+    const TriangulationResult& run(const TriangulationInput& input);
+
+  private:
+    class Work;
+    std::unique_ptr<Work> work_;
+};
 
 }  // namespace sherd

@@ -56,17 +56,19 @@ class SeamJoiner {
     uint32_t endVertex(uint32_t h) const { return startVertex(nextCorner(h)); }
     bool isEdgePoint(uint32_t id) const { return id >= edges_.vertexCount; }
 
-    bool isSeam(uint32_t h) const { return isUvSeam(topology_, uv_, h); }
+    bool isSeam(uint32_t h) const { return isSeam_[h] != 0; }
 
     /// Seams, and the wedges between them: corners around a vertex that are connected without
     /// crossing a seam. Only vertices with a seam have wedges worth knowing.
     void findSeams() {
         const auto halfEdges = static_cast<uint32_t>(topology_.opposite.size());
         std::vector<uint32_t> seams;
+        isSeam_.assign(halfEdges, 0);
         seamsFrom_.assign(surface_.positions.size() + 1, 0);
         for (uint32_t h = 0; h < halfEdges; ++h) {
             const uint32_t o = topology_.opposite[h];
-            if (o == kNone || o < h || !isSeam(h)) continue;
+            if (o == kNone || o < h || !isUvSeam(topology_, uv_, h)) continue;
+            isSeam_[h] = isSeam_[o] = 1;
             seams.push_back(h);
             ++seamsFrom_[startVertex(h) + 1];
             ++seamsFrom_[endVertex(h) + 1];
@@ -291,6 +293,7 @@ class SeamJoiner {
     const SeamOptions& options_;
     ResolvedEdges& edges_;
     UnionFind wedges_;
+    std::vector<uint8_t> isSeam_;          ///< per half edge
     std::vector<uint32_t> seamsFrom_;      ///< per vertex, and one more: into seamHalfEdges_
     std::vector<uint32_t> seamHalfEdges_;  ///< those that touch each vertex
     std::vector<SeamEnd> ends_;            ///< sorted by id, then side

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <string>
 
 #include "geometry/constrained_triangulation.h"
@@ -45,38 +44,48 @@ VertexOrigin mixOrigins(const std::array<VertexOrigin, 3>& origins, const glm::d
     return {vertices, sum / (sum.x + sum.y + sum.z)};
 }
 
-/// Cuts one triangle. The exact frame is the UV grid where the triangle has area there, else a unit
-/// triangle: then all points are on its border and only their order matters.
+/// Cuts one triangle after the other. The exact frame is the UV grid where the triangle has area
+/// there, else a unit triangle: then all points are on its border and only their order matters.
 class TriangleSplitter {
   public:
-    TriangleSplitter(const SplitInput& input, SplitSurface& out, uint32_t triangle)
-        : in_(input), out_(out), triangle_(triangle) {
-        const UvTriangle& uv = in_.uv[triangle];
-        hasArea_ = uv.kind == UvKind::regular || uv.kind == UvKind::mirrored;
-        mirrored_ = uv.kind == UvKind::mirrored;
-        if (hasArea_) {
-            corner_ = uv.corner;
-            if (mirrored_) {
-                for (GridPoint& p : corner_) p.u = -p.u;
-            }
-        }
-        layOutShape();
-    }
+    TriangleSplitter(const SplitInput& input, SplitSurface& out)
+        : in_(input), out_(out), localOfNode_(input.map.nodes.size(), kNone) {}
 
-    bool split(std::span<const Cut> cuts, uint32_t firstCut) {
+    bool split(uint32_t triangle, std::span<const Cut> cuts, uint32_t firstCut) {
+        begin(triangle);
         for (uint8_t k = 0; k < 3; ++k)
             addPoint(in_.surface.triangles[triangle_].v[k],
                      pointAlong(corner_[k], corner_[k], {0, 1}, corner_[0]), cornerWeights(k),
                      cornerLines(k));
         for (uint8_t k = 0; k < 3; ++k) addEdgePoints(k);
         for (uint32_t i = 0; i < cuts.size(); ++i) addCut(cuts[i], firstCut + i);
-        const TriangulationResult result = triangulate(local_);
+        for (const uint32_t node : nodes_) localOfNode_[node] = kNone;
+        const TriangulationResult& result = triangulation_.run(local_);
         if (!result.valid) return false;
         for (const auto& t : result.triangles) emit(t);
         return true;
     }
 
   private:
+    void begin(uint32_t triangle) {
+        triangle_ = triangle;
+        const UvTriangle& uv = in_.uv[triangle];
+        mirrored_ = uv.kind == UvKind::mirrored;
+        corner_ = {GridPoint{0, 0}, GridPoint{1, 0}, GridPoint{0, 1}};
+        if (mirrored_ || uv.kind == UvKind::regular) {
+            corner_ = uv.corner;
+            if (mirrored_) {
+                for (GridPoint& p : corner_) p.u = -p.u;
+            }
+        }
+        local_.points.clear();
+        local_.shape.clear();
+        local_.constraints.clear();
+        global_.clear();
+        nodes_.clear();
+        layOutShape();
+    }
+
     /// The triangle in its own plane: what "well shaped" means for the pieces.
     void layOutShape() {
         const auto& v = in_.surface.triangles[triangle_].v;
@@ -110,7 +119,6 @@ class TriangleSplitter {
         local_.shape.push_back(shape_[0] * weights[0] + shape_[1] * weights[1] +
                                shape_[2] * weights[2]);
         global_.push_back(global);
-        localOf_.emplace(global, static_cast<uint32_t>(global_.size()) - 1);
         return static_cast<uint32_t>(global_.size()) - 1;
     }
 
@@ -120,6 +128,7 @@ class TriangleSplitter {
         const uint32_t count = in_.edges.pointCount(edge);
         const auto next = static_cast<uint8_t>((k + 1) % 3);
         const bool forward = in_.topology.edges[edge].low == in_.surface.triangles[triangle_].v[k];
+        firstOnEdge_[k] = static_cast<uint32_t>(global_.size());
         uint32_t previous = k;
         for (uint32_t i = 0; i <= count; ++i) {
             uint32_t here = next;
@@ -147,15 +156,31 @@ class TriangleSplitter {
         std::array<uint32_t, 2> ends{};
         for (uint32_t end = 0; end < 2; ++end) {
             const CutEnd& e = end == 0 ? cut.from : cut.to;
-            ends[end] = e.where == CutEnd::Where::inside
-                            ? innerPoint(e.node)
-                            : localOf_.at(in_.edges.cutEnds[index][end]);
+            switch (e.where) {
+                case CutEnd::Where::corner:
+                    ends[end] = e.k;
+                    break;
+                case CutEnd::Where::edge:
+                    ends[end] = edgePoint(e.k, in_.edges.cutEnds[index][end]);
+                    break;
+                case CutEnd::Where::inside:
+                    ends[end] = innerPoint(e.node);
+                    break;
+            }
         }
         local_.constraints.push_back({ends[0], ends[1], cut.line});
     }
 
+    /// The local point of an edge point on half edge k.
+    uint32_t edgePoint(uint8_t k, uint32_t id) const {
+        const uint32_t edge = in_.topology.halfEdgeEdge[3 * triangle_ + k];
+        const uint32_t place = id - in_.edges.vertexCount - in_.edges.firstPoint[edge];
+        const bool forward = in_.topology.edges[edge].low == in_.surface.triangles[triangle_].v[k];
+        return firstOnEdge_[k] + (forward ? place : in_.edges.pointCount(edge) - 1 - place);
+    }
+
     uint32_t innerPoint(uint32_t node) {
-        if (const auto it = inner_.find(node); it != inner_.end()) return it->second;
+        if (localOfNode_[node] != kNone) return localOfNode_[node];
         const MapNode& n = in_.map.nodes[node];
         ExactPoint exact;
         if (n.first < 0) {
@@ -177,7 +202,8 @@ class TriangleSplitter {
             {in_.surface.origins[v[0]], in_.surface.origins[v[1]], in_.surface.origins[v[2]]},
             weights));
         const uint32_t local = addPoint(global, exact, weights, 0);
-        inner_.emplace(node, local);
+        localOfNode_[node] = local;
+        nodes_.push_back(node);
         return local;
     }
 
@@ -206,22 +232,26 @@ class TriangleSplitter {
 
     const SplitInput& in_;
     SplitSurface& out_;
-    uint32_t triangle_;
-    bool hasArea_ = false;
+    uint32_t triangle_ = 0;
     bool mirrored_ = false;
-    std::array<GridPoint, 3> corner_{GridPoint{0, 0}, GridPoint{1, 0}, GridPoint{0, 1}};
+    std::array<GridPoint, 3> corner_{};
     std::array<glm::dvec2, 3> shape_{};
     TriangulationInput local_;
-    std::vector<uint32_t> global_;          ///< split vertex of each local point
-    std::map<uint32_t, uint32_t> localOf_;  ///< and back
-    std::map<uint32_t, uint32_t> inner_;    ///< map node -> local point
+    ConstrainedTriangulation triangulation_;
+    std::vector<uint32_t> global_;           ///< split vertex of each local point
+    std::array<uint32_t, 3> firstOnEdge_{};  ///< local point, per half edge
+    std::vector<uint32_t> nodes_;            ///< map nodes inside the triangle
+    std::vector<uint32_t> localOfNode_;      ///< of all map nodes: local point, or kNone
 };
 
 void addVerticesAndEdgePoints(const SplitInput& input, SplitSurface& out) {
     const SplitSurface& before = input.surface;
     out.meshVertices = before.meshVertices;
-    out.positions = before.positions;
-    out.origins = before.origins;
+    const size_t inner = std::min(input.map.nodes.size(), 2 * input.cuts.size());
+    out.positions.reserve(before.positions.size() + input.edges.points.size() + inner);
+    out.origins.reserve(before.positions.size() + input.edges.points.size() + inner);
+    out.positions.assign(before.positions.begin(), before.positions.end());
+    out.origins.assign(before.origins.begin(), before.origins.end());
     for (const EdgePoint& p : input.edges.points) {
         const auto [low, high] = input.topology.edges[p.edge];
         const double t = p.t.approximate();
@@ -240,6 +270,7 @@ Result<SplitSurface> splitSurface(const SplitInput& input, std::vector<uint32_t>
     SplitSurface out;
     addVerticesAndEdgePoints(input, out);
     out.triangles.reserve(triangles.size() + 4 * input.cuts.size());
+    TriangleSplitter splitter(input, out);
     uint32_t cut = 0;
     for (uint32_t t = 0; t < triangles.size(); ++t) {
         const uint32_t firstCut = cut;
@@ -254,8 +285,7 @@ Result<SplitSurface> splitSurface(const SplitInput& input, std::vector<uint32_t>
         }
         if (untouched) {
             out.triangles.push_back({triangles[t].v, triangles[t].source, line});
-        } else if (!TriangleSplitter(input, out, t)
-                        .split(input.cuts.subspan(firstCut, cut - firstCut), firstCut)) {
+        } else if (!splitter.split(t, input.cuts.subspan(firstCut, cut - firstCut), firstCut)) {
             return fail(
                 ErrorCode::internal,
                 "cuts cross inside a triangle; this is a mistake in Sherd, please report it",

@@ -23,17 +23,19 @@ Result<std::vector<UvTriangle>> snapUv(const SurfaceMesh& mesh) {
             "it in a modelling tool first",
             "mesh \"" + mesh.name + "\"");
     }
-    const auto placeOf = [&](size_t triangle) {
-        const uint32_t slot = mesh.triangleMaterials[triangle];
-        return slot < mesh.placements.size() ? mesh.placements[slot].transform : glm::dmat3(1.0);
-    };
+    std::vector<const glm::dmat3*> moved(mesh.placements.size(), nullptr);  // per material
+    for (size_t slot = 0; slot < moved.size(); ++slot) {
+        const glm::dmat3& transform = mesh.placements[slot].transform;
+        if (transform != glm::dmat3(1.0)) moved[slot] = &transform;
+    }
     std::vector<UvTriangle> triangles(mesh.corners.size());
     for (size_t t = 0; t < triangles.size(); ++t) {
-        const bool plain = mesh.placements.empty() || placeOf(t) == glm::dmat3(1.0);
+        const uint32_t slot = moved.empty() ? 0 : mesh.triangleMaterials[t];
+        const glm::dmat3* transform = slot < moved.size() ? moved[slot] : nullptr;
         for (size_t k = 0; k < 3; ++k) {
             const float* value = &uv->values[2 * size_t{mesh.corners[t][k]}];
             glm::dvec3 at(value[0], value[1], 1);
-            if (!plain) at = placeOf(t) * at;
+            if (transform != nullptr) at = *transform * at;
             const std::optional<GridPoint> snapped = snapToGrid(at.x, at.y);
             if (!snapped) {
                 return fail(
@@ -72,13 +74,6 @@ std::optional<glm::dvec2> uvOf(const SurfaceMesh& mesh, uint32_t triangle,
     const uint32_t slot = mesh.triangleMaterials[triangle];
     if (slot < mesh.placements.size()) at = mesh.placements[slot].transform * at;
     return glm::dvec2(at);
-}
-
-bool isUvSeam(const MeshTopology& topology, std::span<const UvTriangle> uv, uint32_t halfEdge) {
-    const uint32_t o = topology.opposite[halfEdge];
-    if (o == kNone) return false;
-    const auto at = [&](uint32_t h, uint32_t k) { return uv[h / 3].corner[(h % 3 + k) % 3]; };
-    return at(halfEdge, 0) != at(o, 1) || at(halfEdge, 1) != at(o, 0);
 }
 
 }  // namespace sherd

@@ -37,6 +37,12 @@ std::optional<glm::dvec2> uvOf(const SurfaceMesh& mesh, uint32_t triangle,
                                const glm::dvec3& position);
 
 /// Whether the two triangles glued at a half edge have different UV there. False at a border.
-bool isUvSeam(const MeshTopology& topology, std::span<const UvTriangle> uv, uint32_t halfEdge);
+inline bool isUvSeam(const MeshTopology& topology, std::span<const UvTriangle> uv,
+                     uint32_t halfEdge) {
+    const uint32_t o = topology.opposite[halfEdge];
+    if (o == kNone) return false;
+    const auto at = [&](uint32_t h, uint32_t k) { return uv[h / 3].corner[(h % 3 + k) % 3]; };
+    return at(halfEdge, 0) != at(o, 1) || at(halfEdge, 1) != at(o, 0);
+}
 
 }  // namespace sherd
