@@ -177,7 +177,8 @@ class Bake {
                 }
                 const std::optional<SurfacePoint> point = finder->find(label.place);
                 if (point && point->distance <= recipe_.snapShare * diagonal_)
-                    placed.push_back({&label, point->triangle});
+                    placed.push_back({&label, point->triangle,
+                                      label.level == 0 ? kNone : cut_.lines.closedUp(label.level)});
                 else
                     report().findings.push_back(
                         {"label", "a label lies on no component; move it onto the surface",

@@ -13,8 +13,7 @@ uint32_t fragmentOf(const PlacedLabel& placed, const Components& components,
                     const Hierarchy& hierarchy) {
     uint32_t fragment =
         hierarchy.fragmentOfRank[hierarchy.rankOfLeaf[components.leaf[placed.triangle]]];
-    const uint32_t level = placed.label->level;
-    while (level != 0 && hierarchy.level[fragment] > level)
+    while (hierarchy.level[fragment] > placed.level)
         fragment = static_cast<uint32_t>(hierarchy.parent[fragment]);
     return fragment;
 }

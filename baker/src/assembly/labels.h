@@ -15,6 +15,7 @@ namespace sherd {
 struct PlacedLabel {
     const FractureMap::Label* label = nullptr;
     uint32_t triangle = 0;
+    uint32_t level = kNone;  ///< of the fragment meant, as levels are closed up; kNone: the deepest
 };
 
 /// Names, materials and numbers go to the labelled fragment and all it consists of; of several

@@ -106,8 +106,11 @@ class PatternReader {
         const std::vector<std::string_view> sides = split(text, 'x');
         const auto fine = [](uint32_t n) { return n >= 1 && n <= kMostLines; };
         if (sides.size() == 2 && readNumber(sides[0], pattern_.columns) &&
-            readNumber(sides[1], pattern_.rows) && fine(pattern_.columns) && fine(pattern_.rows))
-            return true;
+            readNumber(sides[1], pattern_.rows) && fine(pattern_.columns) && fine(pattern_.rows)) {
+            if (pattern_.columns * pattern_.rows <= kMostPieces) return true;
+            return stop(quoted(text) + " makes more than " + std::to_string(kMostPieces) +
+                        " pieces");
+        }
         return stop(quoted(text) + " is not COLUMNSxROWS (radial: SECTORSxRINGS), each from 1 to " +
                     std::to_string(kMostLines));
     }

@@ -2,7 +2,7 @@
 #include "pattern/surface_voronoi.h"
 
 #include <algorithm>
-#include <cmath>
+#include <glm/geometric.hpp>
 #include <unordered_map>
 
 #include "pattern/power_cells.h"
@@ -96,20 +96,27 @@ class Divider {
         return cell;
     }
 
-    /// An upper bound of the squared distance from the site to its cell: the distance at a point is
-    /// at most the mean of those at the corners, weighted alike. Half a step of the frame is
-    /// allowed for.
+    /// An upper bound of the squared distance from the site to its cell. It is convex, so its
+    /// corners tell; they come rounded to the frame, for which a few of its steps are allowed. (The
+    /// mean of the distances at the triangle's corners is a bound as well, but one that never gets
+    /// smaller than the triangle: 10,000 sites on a cube of 12 triangles took a hundred times as
+    /// long as 1,000.)
     double reachOf(const PowerCell& cell) const {
-        const CornerValues& value = values_[cell.site()];
+        const auto vector = [](const SitePoint& p) {
+            return glm::dvec3(static_cast<double>(p.x), static_cast<double>(p.y),
+                              static_cast<double>(p.z));
+        };
+        const glm::dvec3 a = vector(corner_[0]);
+        const glm::dvec3 ab = vector(corner_[1]) - a;
+        const glm::dvec3 ac = vector(corner_[2]) - a;
+        const glm::dvec3 site = vector(sites_.sites()[cell.site()]);
         double reach = 0;
         for (size_t n = 0; n < cell.sides().size(); ++n) {
             const glm::dvec3 w = weightsOf(cell.corner(values_, n, forward_));
-            double mean = 0;
-            for (int k = 0; k < 3; ++k)
-                mean += w[k] * static_cast<double>(value[static_cast<size_t>(k)]);
-            reach = std::max(reach, mean);
+            reach = std::max(reach, glm::distance(a + ab * w[1] + ac * w[2], site));
         }
-        return reach + 1e-6 * static_cast<double>(*std::max_element(value.begin(), value.end()));
+        reach += 0x1p-22 * (glm::length(ab) + glm::length(ac)) + 1;
+        return reach * reach;
     }
 
     void emit(const PowerCell& cell) {

@@ -11,9 +11,13 @@ std::vector<uint32_t> LineTable::assign(std::vector<Line> lines) {
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(),
                      [&](uint32_t a, uint32_t b) { return lines[a].level < lines[b].level; });
+    asked_.clear();
     for (uint32_t i = 0, last = 0, level = 0; i < order.size(); ++i) {
         LineTable::Line& line = lines[order[i]];
-        if (line.level != last) ++level;
+        if (line.level != last) {
+            ++level;
+            asked_.push_back(line.level);
+        }
         last = line.level;
         line.level = level;
     }
@@ -25,6 +29,11 @@ std::vector<uint32_t> LineTable::assign(std::vector<Line> lines) {
         marks[i] = static_cast<uint32_t>(lines_.size());
     }
     return marks;
+}
+
+uint32_t LineTable::closedUp(uint32_t asked) const {
+    return static_cast<uint32_t>(std::upper_bound(asked_.begin(), asked_.end(), asked) -
+                                 asked_.begin());
 }
 
 }  // namespace sherd

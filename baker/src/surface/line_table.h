@@ -26,11 +26,14 @@ class LineTable {
 
     const Line& line(uint32_t mark) const { return lines_[mark - 1]; }
     uint32_t level(uint32_t mark) const { return lines_[mark - 1].level; }
+    /// What became of a level as it was asked for: how many levels up to it have lines.
+    uint32_t closedUp(uint32_t asked) const;
     uint32_t size() const { return static_cast<uint32_t>(lines_.size()); }
     uint32_t levels() const { return lines_.empty() ? 0 : lines_.back().level; }
 
   private:
     std::vector<Line> lines_;
+    std::vector<uint32_t> asked_;  ///< levels before they were closed up, ascending
 };
 
 }  // namespace sherd

@@ -178,6 +178,22 @@ TEST_CASE("labels in UV, at vertices, on lines and at levels too deep find a fra
     CHECK(findings(bakeCube(map), "label") == 0);
 }
 
+TEST_CASE("labels mean the level their map names, also where levels without lines close up") {
+    FractureMap map = rings({{0.4, 2}, {0.7, 5}});
+    for (const uint32_t level : {1U, 2U, 4U, 5U, 9U}) {
+        map.labels.push_back(labelAt({1, 0.5, 0.9}, "level " + std::to_string(level)));
+        map.labels.back().level = level;
+    }
+    const BakedObject baked = bakeCube(map);
+    const FractureSet& set = baked.set;
+    // Nothing is cut at level 1 yet; 4 is as 2, and beyond 5 there is nothing deeper.
+    CHECK(set.fragments[0].name == "level 1");
+    REQUIRE((named(set, "level 4") != nullptr && named(set, "level 9") != nullptr));
+    CHECK(named(set, "level 4")->level == 1);
+    CHECK(named(set, "level 9")->level == 2);
+    CHECK(findings(baked, "label") == 2);  // of four names two stand
+}
+
 TEST_CASE("an anchor is a bond to the world for every leaf below it, in a file that passes") {
     FractureMap map = rings({{0.4, 1}, {0.7, 2}});
     FractureMap::Label label = labelAt({1, 0.5, 0.9}, "held");

@@ -87,6 +87,8 @@ TEST_CASE("a bad pattern is refused with what is allowed") {
          {"voronoi:3:jitter=", "voronoi:3:jitter=2", "voronoi:3:jitter=nan",
           "voronoi:3:jitter=-0.1", "voronoi:3:jitter=inf", "voronoi:3:1:jitter"})
         refused(text, "is not a number from 0 to 1");
+    refused("grid:1000x101", "makes more than 100000 pieces");
+    refused("radial:1000x1000", "makes more than 100000 pieces");
     refused("voronoi:3:1:", "known are jitter, around, spread, density");
     refused("voronoi:3:1:2", "known are jitter, around, spread, density");
     refused("voronoi:3:axis=x", "known are jitter, around, spread, density");

@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <ctime>
 #include <map>
 #include <set>
 
 #include "geometry/triangle.h"
+#include "pattern/power_cells.h"
 #include "pattern/site_sampling.h"
 #include "pattern/surface_voronoi.h"
 #include "shapes.h"
@@ -159,6 +161,57 @@ TEST_CASE("sites on vertices, in rows and all equally far still give exact cells
         }
         for (const auto& [place, balance] : ends) REQUIRE(balance == 0);
     }
+}
+
+TEST_CASE("borders within large triangles are those that every pair of sites makes") {
+    // Sites that no border can reach are passed over: none too many.
+    const int cases = propertyCases(30);
+    for (int i = 0; i < cases; ++i) {
+        const auto seed = static_cast<uint32_t>(70 + i);
+        CAPTURE(seed);
+        const SurfaceMesh mesh = i % 3 == 0 ? thinPlate() : i % 3 == 1 ? chartedCube() : ball(3, 4);
+        const SplitSurface uncut = uncutSurface(mesh);
+        std::vector<uint32_t> all(uncut.triangles.size());
+        for (uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+        const SiteGrid grid(uncut.positions, glm::dvec3(0.0), 1);
+        const std::vector<SitePoint> sites = sampleSites(uncut, all, 150, grid, {seed, 1, {}});
+        const SiteTree tree(sites);
+        std::vector<size_t> found(all.size(), 0), expected(all.size(), 0);
+        for (const Chord& chord : voronoiBorders(uncut, all, grid, tree, 1))
+            ++found[chord.triangle];
+        for (const uint32_t t : all) {
+            std::vector<CornerValues> values;
+            for (const SitePoint& s : sites) {
+                CornerValues& value = values.emplace_back();
+                for (size_t k = 0; k < 3; ++k)
+                    value[k] =
+                        squaredDistance(grid.snap(uncut.positions[uncut.triangles[t].v[k]]), s);
+            }
+            for (uint32_t s = 0; s < sites.size(); ++s) {
+                PowerCell cell(s);
+                for (uint32_t o = 0; o < sites.size() && !cell.empty(); ++o)
+                    if (o != s) cell.clip(values, o);
+                for (const CellSide& side : cell.sides())
+                    if (!side.edge && side.index > s) ++expected[t];
+            }
+        }
+        REQUIRE(found == expected);
+    }
+}
+
+TEST_CASE("ten times the sites in the same few triangles take no hundred times as long") {
+    const SurfaceMesh mesh = chartedCube();
+    const SplitSurface uncut = uncutSurface(mesh);
+    std::vector<uint32_t> all(uncut.triangles.size());
+    for (uint32_t t = 0; t < all.size(); ++t) all[t] = t;
+    const SiteGrid grid(uncut.positions, glm::dvec3(0.0), 1);
+    const auto seconds = [&](uint32_t count) {
+        const SiteTree tree(sampleSites(uncut, all, count, grid, {1, 1, {}}));
+        const std::clock_t start = std::clock();
+        CHECK(voronoiBorders(uncut, all, grid, tree, 1).size() > count);
+        return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    };
+    CHECK(seconds(10'000) < 40 * seconds(1'000) + 0.5);
 }
 
 TEST_CASE("the same seed gives the same pieces, another seed others") {

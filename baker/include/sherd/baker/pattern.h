@@ -25,7 +25,7 @@ struct Pattern {
     Kind kind = Kind::voronoi;
     uint32_t count = 12;   ///< voronoi, wood: pieces of the level in all; 1 to 100,000
     uint32_t columns = 4;  ///< grid: columns; radial: sectors; 1 to 1,000
-    uint32_t rows = 4;     ///< grid: rows; radial: rings; 1 to 1,000
+    uint32_t rows = 4;     ///< grid: rows; radial: rings; 1 to 1,000; columns x rows to 100,000
     uint32_t seed = 1;     ///< the same seed gives the same lines
     double jitter = -1;    ///< 0 to 1: how unevenly lines lie; negative: 0 for grids, else 0.5
     bool brick = false;    ///< grid: every other row is shifted by half a column
