@@ -42,7 +42,7 @@ class PlanCutter {
     void numberLines() {
         std::vector<LineTable::Line> lines;
         const auto add = [&lines](const auto& line) {
-            lines.push_back({line.level, line.properties, line.source});
+            lines.push_back({line.level, line.properties, line.source, false});
         };
         for (const FracturePlan::Drawing& drawing : plan_.drawings)
             for (const FractureMap::Line& line : drawing.map.lines) add(line);
@@ -56,7 +56,7 @@ class PlanCutter {
             addOverSurface(drawing.map.surfaceLines);
         addOverSurface(work_.mesh.lines);
         for (const FracturePlan::Grown& grown : plan_.patterns)
-            lines.push_back({grown.level, {}, grown.pattern.text});
+            lines.push_back({grown.level, {}, grown.pattern.text, !isUvGrid(grown.pattern)});
         marks_ = work_.result.lines.assign(std::move(lines));
     }
 

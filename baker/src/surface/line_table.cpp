@@ -3,18 +3,21 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace sherd {
 
 std::vector<uint32_t> LineTable::assign(std::vector<Line> lines) {
     std::vector<uint32_t> order(lines.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](uint32_t a, uint32_t b) { return lines[a].level < lines[b].level; });
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        return std::pair(lines[a].level, lines[a].cells) <
+               std::pair(lines[b].level, lines[b].cells);
+    });
     asked_.clear();
     for (uint32_t i = 0, last = 0, level = 0; i < order.size(); ++i) {
         LineTable::Line& line = lines[order[i]];
-        if (line.level != last) {
+        if (line.level != last || line.cells) {
             ++level;
             asked_.push_back(line.level);
         }

@@ -18,10 +18,12 @@ class LineTable {
         uint32_t level = 1;
         LineProperties properties;
         std::string source;  ///< for reports
+        bool cells = false;  ///< a pattern: its cells, not its lines, are the pieces of its level
     };
 
     /// Takes the lines in the order of their sources; returns each one's mark. Levels that no line
-    /// has are closed up.
+    /// has are closed up; a pattern that shares its level with others divides what they leave, from
+    /// a level of its own right behind.
     std::vector<uint32_t> assign(std::vector<Line> lines);
 
     const Line& line(uint32_t mark) const { return lines_[mark - 1]; }

@@ -57,10 +57,9 @@ class PlaneCurve {
 /// One way along the curve, about to cross a half edge.
 struct Walker {
     double length = 0;
-    size_t number = 0;      ///< of equally long ones the first goes on
-    uint32_t halfEdge = 0;  ///< of the triangle walked last
-    int32_t steps = 0;      ///< where on it
-    std::vector<Chord> chords;
+    size_t number = 0;                       ///< of equally long ones the first goes on
+    uint32_t halfEdge = 0;                   ///< of the triangle walked last
+    int32_t steps = 0;                       ///< where on it
     bool operator<(const Walker& o) const {  // the shortest on top
         return length != o.length ? length > o.length : number > o.number;
     }
@@ -155,13 +154,14 @@ std::optional<SurfacePath> PathTracer::byPlane(const SurfacePoint& from, const S
     const PlaneCurve curve(surface_, origin, glm::normalize(normal));
 
     std::priority_queue<Walker> walkers;
+    std::vector<std::vector<Chord>> trails;  // by the walkers' numbers
     const auto leave = [&](Walker walker, uint32_t triangle, GridPoint entry,
                            const glm::dvec3& here, uint32_t h) {
         walker.halfEdge = h;
         walker.steps = curve.stepsOn(h);
         walker.length += glm::distance(here, curve.placeOn(h, walker.steps));
-        walker.chords.push_back({triangle, entry, onHalfEdge(h % 3, walker.steps), line});
-        walkers.push(std::move(walker));
+        trails[walker.number].push_back({triangle, entry, onHalfEdge(h % 3, walker.steps), line});
+        walkers.push(walker);
     };
     for (const Seen& seen : start) {
         const uint32_t on = edgesAt(seen.frame);
@@ -169,13 +169,14 @@ std::optional<SurfacePath> PathTracer::byPlane(const SurfacePoint& from, const S
             const uint32_t h = 3 * seen.triangle + k;
             if ((on >> k & 1) != 0 || !curve.crosses(h)) continue;
             Walker walker;
-            walker.number = walkers.size();
-            leave(std::move(walker), seen.triangle, seen.frame, origin, h);
+            walker.number = trails.size();
+            trails.emplace_back();
+            leave(walker, seen.triangle, seen.frame, origin, h);
         }
     }
     // Both ways round are walked at once, the shorter first, until one arrives.
     for (size_t budget = 2 * surface_.triangles.size(); !walkers.empty() && budget > 0; --budget) {
-        Walker walker = walkers.top();
+        const Walker walker = walkers.top();
         walkers.pop();
         const uint32_t o = topology_.opposite[walker.halfEdge];
         if (o == kNone) continue;
@@ -185,13 +186,12 @@ std::optional<SurfacePath> PathTracer::byPlane(const SurfacePoint& from, const S
         if (std::any_of(start.begin(), start.end(), isHere)) continue;  // once around
         if (const auto arrived = std::find_if(end.begin(), end.end(), isHere);
             arrived != end.end()) {
-            walker.chords.push_back({triangle, entry, arrived->frame, line});
-            return SurfacePath{std::move(walker.chords), false};
+            trails[walker.number].push_back({triangle, entry, arrived->frame, line});
+            return SurfacePath{std::move(trails[walker.number]), false};
         }
         const glm::dvec3 here = curve.placeOn(walker.halfEdge, walker.steps);
         const uint32_t ahead = nextCorner(o);
-        leave(std::move(walker), triangle, entry, here,
-              curve.crosses(ahead) ? ahead : previousCorner(o));
+        leave(walker, triangle, entry, here, curve.crosses(ahead) ? ahead : previousCorner(o));
     }
     return std::nullopt;
 }
