@@ -46,8 +46,8 @@ struct Target {
     double distance;
 };
 
-std::optional<Target> nearestLine(const PlanarMap& map, MapIndex& index,
-                                  const DanglingEnd& end, double reach) {
+std::optional<Target> nearestLine(const PlanarMap& map, MapIndex& index, const DanglingEnd& end,
+                                  double reach) {
     const MapEdge& own = map.edges[end.edge];
     const glm::dvec2 p = nodeUv(map, end.node);
     const glm::dvec2 ahead = p - nodeUv(map, own.from == end.node ? own.to : own.from);
