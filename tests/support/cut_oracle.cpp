@@ -392,7 +392,8 @@ void CutOracle::addCell(uint32_t triangle, const std::array<double, 3>& weights)
 /// Strips between the places a line is conducted at, in the order of grid points.
 void CutOracle::divideIntoStrips(uint32_t index) {
     const auto& c = triangles[index].corner;
-    const auto [low, high] = std::minmax({c[0], c[1], c[2]});
+    const Grid low = std::min({c[0], c[1], c[2]});
+    const Grid high = std::max({c[0], c[1], c[2]});
     const auto first = static_cast<uint32_t>(samples.size());
     const int64_t dx = high.x - low.x;
     const int64_t dy = high.y - low.y;

@@ -3,12 +3,15 @@
 // that pass through them, not those whose boxes do, so long slanted lines cost what they cross.
 // What no cell size separates (a bundle of long, nearly parallel lines) is swept along the
 // direction, out of a few, in which the segments' projections overlap least: for a bundle that is
-// its normal.
+// its normal. Where even that leaves the square of them and smaller cells hold fewer, cells
+// are split on.
 #include "map/segment_pairs.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace sherd {
@@ -16,6 +19,7 @@ namespace sherd {
 namespace {
 
 constexpr size_t kSmallCell = 16;     ///< at most this many: all pairs
+constexpr size_t kFewOverlaps = 8;    ///< a sweep over no more pairs than this per entry is made
 constexpr double kUsefulSplit = 1.6;  ///< a split that multiplies the entries by more is not made
 
 struct Box {
@@ -51,7 +55,7 @@ class PairFinder {
 
     bool descend(const std::vector<uint32_t>& items, const Box& box) {
         if (items.size() <= kSmallCell) return allPairs(items);
-        if (box.maxU - box.minU < 2 || box.maxV - box.minV < 2) return sweep(items);
+        if (box.maxU - box.minU < 2 || box.maxV - box.minV < 2) return sweep(bestSweep(items, box));
         const int32_t midU = box.minU + (box.maxU - box.minU) / 2;
         const int32_t midV = box.minV + (box.maxV - box.minV) / 2;
         const std::array<Box, 4> boxes = {
@@ -59,13 +63,20 @@ class PairFinder {
             Box{box.minU, midV, midU, box.maxV}, Box{midU, midV, box.maxU, box.maxV}};
         std::array<std::vector<uint32_t>, 4> children;
         size_t entries = 0;
+        size_t largest = 0;
         for (size_t k = 0; k < 4; ++k) {
             for (const uint32_t i : items)
                 if (passesThrough(segments_[i], boxes[k])) children[k].push_back(i);
             entries += children[k].size();
+            largest = std::max(largest, children[k].size());
         }
-        if (static_cast<double>(entries) > kUsefulSplit * static_cast<double>(items.size()))
-            return sweep(items);
+        if (static_cast<double>(entries) > kUsefulSplit * static_cast<double>(items.size())) {
+            const Sweep best = bestSweep(items, box);
+            // Bundles that meet, as at the corners of nested outlines, part in smaller cells; lines
+            // through one point never do.
+            const bool parts = largest <= items.size() / 4 * 3;
+            if (!parts || best.overlaps <= kFewOverlaps * entries) return sweep(best);
+        }
         for (size_t k = 0; k < 4; ++k)
             if (!descend(children[k], boxes[k])) return false;
         return true;
@@ -89,13 +100,40 @@ class PairFinder {
         return true;
     }
 
-    std::vector<Interval> project(const std::vector<uint32_t>& items, Direction d) const {
+    /// From where to where, 0 to 1, a segment runs through the box, a unit wider all around.
+    static std::pair<double, double> stretchIn(const Support& s, const Box& box) {
+        double from = 0;
+        double to = 1;
+        const auto clip = [&](int32_t a, int32_t b, int32_t low, int32_t high) {
+            if (a == b) return;
+            const double length = double{1} * b - a;
+            const auto [x, y] = std::minmax(
+                {(double{1} * low - 1 - a) / length, (double{1} * high + 1 - a) / length});
+            from = std::max(from, x);
+            to = std::min(to, y);
+        };
+        clip(s.a.u, s.b.u, box.minU, box.maxU);
+        clip(s.a.v, s.b.v, box.minV, box.maxV);
+        return {from, to};
+    }
+
+    /// Where along d the segments run within the box: only there their meeting counts.
+    std::vector<Interval> project(const std::vector<uint32_t>& items, const Box& box,
+                                  Direction d) const {
         std::vector<Interval> intervals;
         intervals.reserve(items.size());
+        const int64_t slack = 2 * (std::abs(d.u) + std::abs(d.v));  // two units: more than rounding
         for (const uint32_t i : items) {
             const auto [a, b] = segments_[i];
-            const auto [low, high] = std::minmax({d.u * a.u + d.v * a.v, d.u * b.u + d.v * b.v});
-            intervals.push_back({low, high, i});
+            const int64_t start = d.u * a.u + d.v * a.v;
+            const int64_t end = d.u * b.u + d.v * b.v;
+            const auto [from, to] = stretchIn(segments_[i], box);
+            const auto along = static_cast<double>(end - start);
+            const int64_t first = start + static_cast<int64_t>(from * along);
+            const int64_t last = start + static_cast<int64_t>(to * along);
+            const auto [low, high] = std::minmax({start, end});
+            intervals.push_back({std::max(low, std::min(first, last) - slack),
+                                 std::min(high, std::max(first, last) + slack), i});
         }
         std::sort(intervals.begin(), intervals.end(), [](const Interval& x, const Interval& y) {
             return x.low != y.low ? x.low < y.low : x.item < y.item;
@@ -129,19 +167,26 @@ class PairFinder {
         return {{1, 0}, {0, 1}, {1, 1}, {1, -1}, normal};
     }
 
-    bool sweep(const std::vector<uint32_t>& items) {
-        std::vector<Interval> best;
-        size_t bestCount = SIZE_MAX;
+    struct Sweep {
+        std::vector<Interval> intervals;
+        size_t overlaps = SIZE_MAX;
+    };
+
+    Sweep bestSweep(const std::vector<uint32_t>& items, const Box& box) const {
+        Sweep best;
         for (const Direction d : directions(items)) {
-            std::vector<Interval> intervals = project(items, d);
+            std::vector<Interval> intervals = project(items, box, d);
             const size_t count = overlaps(intervals);
-            if (count >= bestCount) continue;
-            bestCount = count;
-            best = std::move(intervals);
+            if (count < best.overlaps) best = {std::move(intervals), count};
         }
-        for (size_t i = 0; i < best.size(); ++i)
-            for (size_t j = i + 1; j < best.size() && best[j].low <= best[i].high; ++j)
-                if (!test(best[i].item, best[j].item)) return false;
+        return best;
+    }
+
+    bool sweep(const Sweep& best) {
+        const std::vector<Interval>& all = best.intervals;
+        for (size_t i = 0; i < all.size(); ++i)
+            for (size_t j = i + 1; j < all.size() && all[j].low <= all[i].high; ++j)
+                if (!test(all[i].item, all[j].item)) return false;
         return true;
     }
 
