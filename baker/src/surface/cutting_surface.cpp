@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "surface/cutting_surface.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <map>
+#include <utility>
 
 #include "surface/triangulation.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 /// A line that ends this near another, in page units, was most likely meant to reach it.
 constexpr double kSmallGap = 0.02;
+constexpr size_t kMostNotes = 1000;
 
 std::string gapNote(double distance) {
     std::array<char, 96> text{};
@@ -72,25 +74,31 @@ void CuttingSurface::findDeadEnds(const Pass& pass, std::span<const Cut> cuts) {
         ++degree[edge.from];
         ++degree[edge.to];
     }
-    std::map<uint32_t, const Cut*> cutOfNode;
+    std::vector<std::pair<uint32_t, const Cut*>> cutOfNode;
     std::optional<MapIndex> index;
     for (const Cut& cut : cuts) {
         for (const bool atStart : {true, false}) {
             const CutEnd& end = atStart ? cut.from : cut.to;
             if (end.where == CutEnd::Where::inside && degree[end.node] == 1)
-                cutOfNode.try_emplace(end.node, &cut);
+                cutOfNode.emplace_back(end.node, &cut);
             if (end.where != CutEnd::Where::edge || !pass.seams) continue;
             const MapEdge& edge = pass.map.edges[cut.mapEdge];
             const uint32_t node = atStart ? edge.from : edge.to;
             if (degree[node] == 1 && endsOnEdge(pass, cut.triangle, end, node))
-                cutOfNode.try_emplace(node, &cut);
+                cutOfNode.emplace_back(node, &cut);
         }
     }
+    const auto byNode = [](const auto& x, const auto& y) { return x.first < y.first; };
+    std::stable_sort(cutOfNode.begin(), cutOfNode.end(), byNode);
+    const auto sameNode = [](const auto& x, const auto& y) { return x.first == y.first; };
+    cutOfNode.erase(std::unique(cutOfNode.begin(), cutOfNode.end(), sameNode), cutOfNode.end());
     for (const auto& [node, cut] : cutOfNode) {
         const glm::dvec3 position =
             positionAt(cut->triangle, pass.frames[cut->triangle], nodeUv(pass.map, node));
-        std::string note = result.lines.line(cut->line).source;
-        if (pass.seams) {
+        // Nobody reads more notes than this; ten thousand lines have twice as many ends.
+        const bool noted = result.deadEnds.size() < kMostNotes;
+        std::string note = noted ? result.lines.line(cut->line).source : "";
+        if (pass.seams && noted) {
             if (!index) index.emplace(pass.map);
             const auto ahead = lineNear(pass.map, *index, node, cut->mapEdge, kSmallGap);
             if (ahead) note += gapNote(glm::distance(*ahead, nodeUv(pass.map, node)));
