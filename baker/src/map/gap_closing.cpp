@@ -46,8 +46,8 @@ struct Target {
     double distance;
 };
 
-std::optional<Target> nearestLine(const PlanarMap& map, MapIndex& index, const DanglingEnd& end,
-                                  double reach) {
+std::optional<Target> nearestWithin(const PlanarMap& map, MapIndex& index, const DanglingEnd& end,
+                                    double reach) {
     const MapEdge& own = map.edges[end.edge];
     const glm::dvec2 p = nodeUv(map, end.node);
     const glm::dvec2 ahead = p - nodeUv(map, own.from == end.node ? own.to : own.from);
@@ -68,6 +68,15 @@ std::optional<Target> nearestLine(const PlanarMap& map, MapIndex& index, const D
         best = Target{q, edge.line, distance};
     }
     return best;
+}
+
+/// Looks close by first: where lines are dense, thousands lie within reach.
+std::optional<Target> nearestLine(const PlanarMap& map, MapIndex& index, const DanglingEnd& end,
+                                  double reach) {
+    for (const double part : {1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 4}) {
+        if (auto target = nearestWithin(map, index, end, part * reach)) return target;
+    }
+    return nearestWithin(map, index, end, reach);
 }
 
 /// Gives the line a corner at the place that is nearest to it.
