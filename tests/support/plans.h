@@ -18,6 +18,7 @@ inline FracturePlan planOf(FractureMap map) {
 /// Drawings in UV, a level each.
 inline FracturePlan stack(std::vector<FractureMap> maps) {
     std::vector<FracturePlan> levels;
+    levels.reserve(maps.size());
     for (FractureMap& map : maps) levels.push_back(planOf(std::move(map)));
     return stackLevels(std::move(levels));
 }

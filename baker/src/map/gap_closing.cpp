@@ -102,6 +102,7 @@ std::optional<glm::dvec2> lineNear(const PlanarMap& map, MapIndex& index, uint32
 
 Result<std::vector<ClosedGap>> closeGaps(FractureMap& map, double reach,
                                          std::vector<uint32_t>& lineOf) {
+    if (!(reach > 0)) return std::vector<ClosedGap>();  // no number reaches nowhere
     const Result<PlanarMap> planar = planarise(map);
     if (!planar) return tl::unexpected(planar.error());
     MapIndex index(*planar);

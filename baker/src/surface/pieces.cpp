@@ -248,7 +248,7 @@ Components findPieces(const SplitSurface& surface, const MeshTopology& topology,
                       const LineTable& lines, uint32_t levels, const PartGroups& groups,
                       std::span<const CellLevel> cells, const PieceOptions& options,
                       std::vector<CellReport>& reports) {
-    const Components base = floodFill(surface, topology, lines, levels);
+    Components base = floodFill(surface, topology, lines, levels);
     if (cells.empty() || levels == 0) return base;
     Through through(surface);
     std::vector<std::vector<uint32_t>> piece;  // [level - 1][leaf]

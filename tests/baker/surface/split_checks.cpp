@@ -304,6 +304,7 @@ class ExactTriangle {
         if (ids.size() != inner.size()) wrong = "another number of points inside";
         if (!wrong.empty()) return true;
         std::vector<std::array<double, 3>> innerWeights;
+        innerWeights.reserve(inner.size());
         for (const exact::Point& p : inner) innerWeights.push_back(weights(p));
         std::set<size_t> taken;
         for (const uint32_t id : ids) {
