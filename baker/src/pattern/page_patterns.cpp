@@ -19,6 +19,12 @@ class Dice {
     std::mt19937_64 engine_;
 };
 
+/// Which of n equal parts of [0, 1] holds x, or is nearest; the first for what is no number.
+uint32_t cellOf(double x, uint32_t n) {
+    if (!(x > 0)) return 0;
+    return static_cast<uint32_t>(std::min(std::floor(x * n), n - 1.0));
+}
+
 /// Whether the polygon holds the point (even-odd).
 bool holds(std::initializer_list<glm::dvec2> polygon, const glm::dvec2& p) {
     bool inside = false;
@@ -39,7 +45,7 @@ struct Grid {
 
     uint32_t cellAt(const glm::dvec2& uv) const {
         const auto clamped = [](double x, uint32_t n) {
-            return static_cast<int64_t>(std::clamp(std::floor(x * n), 0.0, n - 1.0));
+            return static_cast<int64_t>(cellOf(x, n));
         };
         const int64_t c0 = clamped(uv.x, columns);
         const int64_t r0 = clamped(uv.y, rows);
@@ -119,8 +125,7 @@ PagePattern bricks(const Pattern& pattern) {
         page.cells += static_cast<uint32_t>((*joints)[r].size()) + 1;
     }
     page.cellAt = [joints, first](const glm::dvec2& uv) {
-        const double rows = static_cast<double>(joints->size());
-        const auto r = static_cast<size_t>(std::clamp(std::floor(uv.y * rows), 0.0, rows - 1));
+        const size_t r = cellOf(uv.y, static_cast<uint32_t>(joints->size()));
         const std::vector<double>& row = (*joints)[r];
         const auto before = std::lower_bound(row.begin(), row.end(), uv.x) - row.begin();
         return first[r] + static_cast<uint32_t>(before);

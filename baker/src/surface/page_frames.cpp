@@ -38,7 +38,8 @@ glm::dvec3 unitAxis(int k) {
 /// Pages lie within a few tiles of [0, 1]: clamping only keeps hostile numbers on the grid.
 GridPoint snapPage(const glm::dvec2& p) {
     const auto snap = [](double x) {
-        return static_cast<int32_t>(std::lround(std::clamp(x, -7.0, 7.0) * kGridOne));
+        if (!(x > -7.0)) x = -7.0;  // what is no number, too
+        return static_cast<int32_t>(std::lround(std::min(x, 7.0) * kGridOne));
     };
     return {snap(p.x), snap(p.y)};
 }
