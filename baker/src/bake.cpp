@@ -16,7 +16,6 @@
 #include "surface/component_merging.h"
 #include "surface/cut_settings.h"
 #include "surface/cut_surface.h"
-#include "surface/surface_point.h"
 #include "surface/vertex_fans.h"
 
 namespace sherd {
@@ -123,7 +122,7 @@ class Bake {
         if (cut_.lines.size() == 0)
             return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
         std::vector<CellReport> cells;
-        components_ = componentsOf(cut_, recipe_.splitParts, cells);
+        components_ = componentsOf(cut_, cells);
         reportCells(cells, report());
         report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
         reportCutting(mesh_, cut_, components_, report());
@@ -165,29 +164,6 @@ class Bake {
         return {};
     }
 
-    std::vector<PlacedLabel> placeLabels() {
-        std::vector<PlacedLabel> placed;
-        std::optional<PlaceFinder> finder;
-        std::vector<UvTriangle> uv;
-        for (const FracturePlan::Drawing& drawing : plan_.drawings) {
-            for (const FractureMap::Label& label : drawing.map.labels) {
-                if (!finder) {
-                    if (auto frames = snapUv(mesh_)) uv = std::move(*frames);
-                    finder.emplace(mesh_, cut_.surface, cut_.topology.degenerate, uv);
-                }
-                const std::optional<SurfacePoint> point = finder->find(label.place);
-                if (point && point->distance <= recipe_.snapShare * diagonal_)
-                    placed.push_back({&label, point->triangle,
-                                      label.level == 0 ? kNone : cut_.lines.closedUp(label.level)});
-                else
-                    report().findings.push_back(
-                        {"label", "a label lies on no component; move it onto the surface",
-                         label.source, 1});
-            }
-        }
-        return placed;
-    }
-
     void assemble() {
         FractureSet& set = result_.set;
         set.name = mesh_.name;
@@ -198,9 +174,11 @@ class Bake {
         set.materials.push_back(interiorMaterial_);
         const Hierarchy hierarchy = buildHierarchy(components_);
         assembleFragments(hierarchy, recipe_.physics, set);
-        const std::vector<PlacedLabel> labels = placeLabels();
+        std::vector<BakeFinding>& findings = report().findings;
+        const std::vector<PlacedLabel> labels =
+            placeLabels(mesh_, cut_, plan_, recipe_.snapShare * diagonal_, findings);
         for (const std::string& problem : assembleLabels(labels, components_, hierarchy, set))
-            report().findings.push_back({"label", problem, "", 1});
+            findings.push_back({"label", problem, "", 1});
         for (size_t k = 0; k < recipe_.levels.size() && k + 1 < set.levels.size(); ++k) {
             set.levels[k + 1].name = recipe_.levels[k].name;
         }

@@ -9,9 +9,6 @@
 namespace sherd {
 namespace {
 
-/// More than any engine simulates; far beyond it a slip of the pen would fill the memory.
-constexpr uint32_t kMostPieces = 100000;
-
 constexpr size_t kMostPlaces = 1000;
 
 std::string placeOf(const BakePlace& place) {
@@ -158,10 +155,7 @@ void reportCutting(const SurfaceMesh& mesh, const CutSurface& cut, const Compone
         report.findings.push_back({"averaged", "pairs of line ends at seams were moved together",
                                    "", cut.seams.averaged});
     }
-    std::vector<BakePlace> closed = cut.closedGaps3d;
-    for (const ClosedGap& gap : cut.closedGaps)
-        closed.push_back({std::nullopt, gap.from, text("to UV (%.5g, %.5g)", gap.to.x, gap.to.y)});
-    add(report, "closed-gaps", "dangling line ends were led on to a line", std::move(closed));
+    add(report, "closed-gaps", "dangling line ends were led on to a line", cut.closedGaps);
     add(report, "loose-ends", "lines end at a chart border and go on nowhere on its other side",
         placesOf(cut.seams.loose));
     add(report, "dead-ends", "lines end in the surface", cut.deadEnds);

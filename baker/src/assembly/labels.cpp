@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "surface/surface_point.h"
+
 namespace sherd {
 namespace {
 
@@ -33,6 +35,29 @@ void applyBelow(const FractureMap::Label& label, uint32_t fragment, FractureSet&
 }
 
 }  // namespace
+
+std::vector<PlacedLabel> placeLabels(const SurfaceMesh& mesh, const CutSurface& cut,
+                                     const FracturePlan& plan, double snapDistance,
+                                     std::vector<BakeFinding>& findings) {
+    std::vector<const FractureMap::Label*> labels;
+    for (const FracturePlan::Drawing& drawing : plan.drawings)
+        for (const FractureMap::Label& label : drawing.map.labels) labels.push_back(&label);
+    if (labels.empty()) return {};
+    std::vector<UvTriangle> uv;
+    if (auto frames = snapUv(mesh)) uv = std::move(*frames);
+    const PlaceFinder finder(mesh, cut.surface, cut.topology.degenerate, uv);
+    std::vector<PlacedLabel> placed;
+    for (const FractureMap::Label* label : labels) {
+        const std::optional<SurfacePoint> point = finder.find(label->place);
+        if (point && point->distance <= snapDistance)
+            placed.push_back({label, point->triangle,
+                              label->level == 0 ? kNone : cut.lines.closedUp(label->level)});
+        else
+            findings.push_back({"label", "a label lies on no component; move it onto the surface",
+                                label->source, 1});
+    }
+    return placed;
+}
 
 std::vector<std::string> assembleLabels(std::vector<PlacedLabel> labels,
                                         const Components& components, const Hierarchy& hierarchy,

@@ -7,7 +7,7 @@
 
 #include "assembly/hierarchy.h"
 #include "sherd/baker/fracture_map.h"
-#include "surface/split_surface.h"
+#include "surface/cut_surface.h"
 
 namespace sherd {
 
@@ -17,6 +17,12 @@ struct PlacedLabel {
     uint32_t triangle = 0;
     uint32_t level = kNone;  ///< of the fragment meant, as levels are closed up; kNone: the deepest
 };
+
+/// Finds the labels of a plan's drawings on the surface; those farther than `snapDistance` metres
+/// off it are left out with a finding.
+std::vector<PlacedLabel> placeLabels(const SurfaceMesh& mesh, const CutSurface& cut,
+                                     const FracturePlan& plan, double snapDistance,
+                                     std::vector<BakeFinding>& findings);
 
 /// Names, materials and numbers go to the labelled fragment and all it consists of; of several
 /// labels those of deeper levels, then later ones, win. Returns what contradicts, a sentence each.

@@ -2,7 +2,6 @@
 #include "assembly/line_strengths.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 
 namespace sherd {
 namespace {
@@ -35,15 +34,13 @@ BorderStrengths lineStrengths(const SplitSurface& surface, const MeshTopology& t
     };
     for (uint32_t h = 0; h < 3 * surface.triangles.size(); ++h) {
         const uint32_t o = topology.opposite[h];
-        const SplitTriangle& triangle = surface.triangles[h / 3];
-        const uint32_t mark = triangle.line[h % 3];
+        const uint32_t mark = surface.triangles[h / 3].line[h % 3];
         if (o == kNone || o < h || mark == 0) continue;
         const uint32_t a = fragmentOf(h / 3);
         const uint32_t b = fragmentOf(o / 3);
         if (a == b) continue;
         BorderStrength& border = borders[{std::min(a, b), std::max(a, b)}];
-        const double length = glm::distance(glm::dvec3(surface.positions[triangle.v[h % 3]]),
-                                            glm::dvec3(surface.positions[triangle.v[(h + 1) % 3]]));
+        const double length = edgeLength(surface, h);
         const LineProperties& said = lines.line(mark).properties;
         border.length += length;
         if (said.strength) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 
 namespace sherd {
@@ -20,6 +21,18 @@ inline double triangleArea(std::span<const glm::vec3> positions, const std::arra
     const glm::dvec3 a = positions[v[0]];
     return 0.5 * glm::length(
                      glm::cross(glm::dvec3(positions[v[1]]) - a, glm::dvec3(positions[v[2]]) - a));
+}
+
+/// The weights of a, b and c at p, brought into their plane; outside the triangle some are
+/// negative. Nothing for triangles without area.
+inline std::optional<glm::dvec3> weightsIn(const glm::dvec3& p, const glm::dvec3& a,
+                                           const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double area = glm::dot(normal, normal);
+    if (!(area > 0)) return std::nullopt;
+    const double wb = glm::dot(glm::cross(p - a, c - a), normal) / area;
+    const double wc = glm::dot(glm::cross(b - a, p - a), normal) / area;
+    return glm::dvec3(1 - wb - wc, wb, wc);
 }
 
 }  // namespace sherd

@@ -11,26 +11,14 @@
 #include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
-#include <nlohmann/json.hpp>
 #include <optional>
+
+#include "import/json_lookup.h"
 
 namespace sherd {
 namespace {
 
 using Json = nlohmann::json;
-
-/// `object[key]`, null if it is not there.
-const Json& at(const Json& object, const char* key) {
-    static const Json kNull;
-    const auto found = object.is_object() ? object.find(key) : object.end();
-    return object.is_object() && found != object.end() ? *found : kNull;
-}
-
-const Json& at(const Json& array, const Json& index) {
-    static const Json kNull;
-    if (!array.is_array() || !index.is_number_unsigned() || index >= array.size()) return kNull;
-    return array[index.get<size_t>()];
-}
 
 /// Nothing for a mode glTF does not have.
 std::optional<Wrap> wrapOf(const Json& mode) {

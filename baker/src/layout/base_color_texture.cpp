@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "import/json_lookup.h"
 #include "sherd/baker/layout.h"
 
 namespace sherd {
@@ -24,19 +24,6 @@ std::string base64(std::span<const uint8_t> bytes) {
             out += i + k > bytes.size() ? '=' : kDigits[group >> (18U - 6U * k) & 63U];
     }
     return out;
-}
-
-/// `node[key]` for objects and arrays, null if it is not there.
-const Json& at(const Json& node, const char* key) {
-    static const Json kNull;
-    const auto found = node.is_object() ? node.find(key) : node.end();
-    return node.is_object() && found != node.end() ? *found : kNull;
-}
-
-const Json& at(const Json& array, const Json& index) {
-    static const Json kNull;
-    if (!array.is_array() || !index.is_number_unsigned() || index >= array.size()) return kNull;
-    return array[index.get<size_t>()];
 }
 
 /// The bytes an image's buffer view names, if they are all there.

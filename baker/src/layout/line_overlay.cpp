@@ -141,7 +141,7 @@ Result<LayoutOverlay> inspectLines(const SurfaceMesh& mesh, const FracturePlan& 
     BakedObjectReport report;
     report.name = mesh.name;
     std::vector<CellReport> cells;
-    Components components = componentsOf(*cut, recipe.splitParts, cells);
+    Components components = componentsOf(*cut, cells);
     reportCells(cells, report);
     reportCutting(apart, *cut, components, report);
     if (const auto ok = judgeSeparation(components, *cut, report); !ok) {

@@ -16,6 +16,9 @@ inline constexpr size_t kMaxMapPoints = 4'000'000;  ///< after flattening
 inline constexpr size_t kMaxMapLabels = 100'000;
 inline constexpr uint32_t kMaxMapLevel = 64;
 
+/// The bytes of a file, at most kMaxMapBytes. what: for messages, "fracture map".
+Result<std::string> readMapFile(const std::filesystem::path& path, const std::string& what);
+
 /// The text's size and the options' ranges.
 Result<void> checkMapInput(std::string_view text, const std::string& name,
                            const MapReadOptions& options);

@@ -12,10 +12,12 @@ namespace sherd {
 
 namespace {
 
-Error tooLarge(const std::string& name) {
+constexpr const char* kMap = "fracture map";
+
+Error tooLarge(const std::string& name, const std::string& what) {
     return {ErrorCode::limitExceeded,
-            "the fracture map is larger than " + std::to_string(kMaxMapBytes >> 20) +
-                " MiB; embedded images belong beside it",
+            "the " + what + " is larger than " + std::to_string(kMaxMapBytes >> 20) +
+                " MiB; pictures embedded in a drawing belong beside it",
             name};
 }
 
@@ -26,26 +28,26 @@ std::string lowerExtension(const std::filesystem::path& path) {
     return extension;
 }
 
-Result<std::string> readBytes(const std::filesystem::path& path) {
+}  // namespace
+
+Result<std::string> readMapFile(const std::filesystem::path& path, const std::string& what) {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
-        return fail(ErrorCode::fileNotFound, "the fracture map does not exist", path.string());
+        return fail(ErrorCode::fileNotFound, "the " + what + " does not exist", path.string());
     if (std::filesystem::is_directory(path, error))
-        return fail(ErrorCode::fileRead, "the fracture map is a folder", path.string());
+        return fail(ErrorCode::fileRead, "the " + what + " is a folder", path.string());
     const uintmax_t size = std::filesystem::file_size(path, error);
-    if (!error && size > kMaxMapBytes) return tl::unexpected(tooLarge(path.string()));
+    if (!error && size > kMaxMapBytes) return tl::unexpected(tooLarge(path.string(), what));
     std::ifstream file(path, std::ios::binary);
     std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     if (!file.good() && !file.eof())
-        return fail(ErrorCode::fileRead, "the fracture map cannot be read", path.string());
+        return fail(ErrorCode::fileRead, "the " + what + " cannot be read", path.string());
     return text;
 }
 
-}  // namespace
-
 Result<void> checkMapInput(std::string_view text, const std::string& name,
                            const MapReadOptions& options) {
-    if (text.size() > kMaxMapBytes) return tl::unexpected(tooLarge(name));
+    if (text.size() > kMaxMapBytes) return tl::unexpected(tooLarge(name, kMap));
     if (options.level < 1 || options.level > kMaxMapLevel)
         return fail(ErrorCode::badArgument,
                     "a map's level must be from 1 to " + std::to_string(kMaxMapLevel), name);
@@ -68,7 +70,7 @@ Result<FractureMap> readFractureMap(const std::filesystem::path& path,
                     "fracture maps are read from .svg, .json, .png, .jpg and .jpeg files; this is "
                     "none of them",
                     path.string());
-    const Result<std::string> text = readBytes(path);
+    const Result<std::string> text = readMapFile(path, kMap);
     if (!text) return tl::unexpected(text.error());
     const std::string name = path.filename().string();
     if (bitmap)

@@ -3,31 +3,13 @@
 
 #include <algorithm>
 
-#include "map/map_limits.h"
+#include "map/level_word.h"
 #include "map/map_text.h"
 #include "map/svg_css.h"
 
 namespace sherd {
 
 namespace {
-
-constexpr std::string_view kLevelWord = "level";
-
-/// Where the word "level" starts at or after `from`: not in the middle of another ("eyelevel2"),
-/// unless a capital tells them apart ("crackLevel2").
-size_t findLevelWord(std::string_view name, size_t from) {
-    for (size_t i = from; i + kLevelWord.size() <= name.size(); ++i) {
-        const auto same = [](char a, char b) { return lowerChar(a) == b; };
-        if (!std::equal(kLevelWord.begin(), kLevelWord.end(),
-                        name.begin() + static_cast<ptrdiff_t>(i),
-                        [&](char word, char letter) { return same(letter, word); }))
-            continue;
-        const bool inWord = i > 0 && isLetterChar(name[i - 1]);
-        const bool capital = name[i] == 'L' && i > 0 && name[i - 1] == lowerChar(name[i - 1]);
-        if (!inWord || capital) return i;
-    }
-    return std::string_view::npos;
-}
 
 void appendUtf8(std::string& out, uint32_t code) {
     const auto byte = [&](uint32_t value) { out += static_cast<char>(value); };
@@ -102,18 +84,8 @@ std::string_view trueName(const pugi::xml_node& node) {
 }  // namespace
 
 std::optional<uint32_t> levelOfName(std::string_view name) {
-    constexpr std::string_view kBetween = " _-:#.";
-    for (size_t at = findLevelWord(name, 0); at != std::string_view::npos;
-         at = findLevelWord(name, at + kLevelWord.size())) {
-        std::string_view rest = name.substr(at + kLevelWord.size());
-        rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
-        size_t digits = 0;
-        while (digits < rest.size() && isDigitChar(rest[digits])) ++digits;
-        if (digits == 0) continue;
-        const uint32_t level = parseSmallNumber(rest.substr(0, digits)).value_or(0);
-        return level <= kMaxMapLevel ? level : 0;
-    }
-    return std::nullopt;
+    const std::optional<LevelWord> word = findLevelWord(name, 0, " _-:#.");
+    return word ? std::optional(word->level) : std::nullopt;
 }
 
 std::string svgObjectName(const pugi::xml_node& node) {

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <iterator>
 
+#include "geometry/bounds.h"
 #include "map/bitmap_picture.h"
 #include "map/map_limits.h"
 #include "surface/uv_triangle.h"
@@ -21,20 +19,11 @@ double luminance(double r, double g, double b) {
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;  // of linear colours, as COLOR_0 is
 }
 
-glm::dvec3 positionOf(const SplitSurface& surface, uint32_t triangle, const glm::dvec3& weights) {
-    glm::dvec3 position(0.0);
-    for (int k = 0; k < 3; ++k)
-        position +=
-            glm::dvec3(surface.positions[surface.triangles[triangle].v[static_cast<size_t>(k)]]) *
-            weights[k];
-    return position;
-}
-
 /// Bells around the places, as wide as `sigma` metres.
 Density byPlaces(const SplitSurface& surface, std::vector<glm::dvec3> places, double sigma) {
     return [&surface, places = std::move(places), sigma](uint32_t triangle,
                                                          const glm::dvec3& weights) {
-        const glm::dvec3 p = positionOf(surface, triangle, weights);
+        const glm::dvec3 p = pointOn(surface, triangle, weights);
         double sum = kLeast;
         for (const glm::dvec3& place : places) {
             const double d = glm::distance(p, place) / sigma;
@@ -70,7 +59,7 @@ Density byPicture(const SurfaceMesh& mesh, const SplitSurface& surface,
                   std::shared_ptr<const GreyImage> picture) {
     return [&mesh, &surface, picture](uint32_t triangle, const glm::dvec3& weights) {
         const std::optional<glm::dvec2> uv =
-            uvOf(mesh, surface.triangles[triangle].source, positionOf(surface, triangle, weights));
+            uvOf(mesh, surface.triangles[triangle].source, pointOn(surface, triangle, weights));
         const auto texel = [](double x, uint32_t size) {
             const double wrapped = x - std::floor(x);
             return std::min(static_cast<uint32_t>(wrapped * size), size - 1);
@@ -88,17 +77,11 @@ Result<Density> densityOf(const SurfaceMesh& mesh, const SplitSurface& surface,
                           const FracturePlan::Grown& grown) {
     const Pattern& pattern = grown.pattern;
     if (!pattern.around.empty()) {
-        glm::dvec3 low(1e300);
-        glm::dvec3 high(-1e300);
-        for (const glm::vec3& p : mesh.positions) {
-            low = glm::min(low, glm::dvec3(p));
-            high = glm::max(high, glm::dvec3(p));
-        }
         std::vector<glm::dvec3> places;
-        const glm::dquat toObject = glm::inverse(glm::dquat(mesh.restPose.rotation));
         for (const glm::dvec3& p : pattern.around)
-            places.push_back(toObject * (p - glm::dvec3(mesh.restPose.translation)));
-        return byPlaces(surface, std::move(places), pattern.spread * glm::distance(low, high));
+            places.push_back(toObjectFrame(mesh.restPose, p));
+        const double diagonal = boundsOf(mesh.positions, mesh.triangles).diagonal();
+        return byPlaces(surface, std::move(places), pattern.spread * diagonal);
     }
     const std::string& asked = pattern.density;
     if (asked.empty()) return Density();
@@ -122,18 +105,10 @@ Result<Density> densityOf(const SurfaceMesh& mesh, const SplitSurface& surface,
 }
 
 Result<GreyImage> readGreyImage(const std::filesystem::path& path) {
-    std::error_code status;
-    if (!std::filesystem::is_regular_file(path, status))
-        return fail(ErrorCode::fileNotFound, "there is no such picture", path.string());
-    if (std::filesystem::file_size(path, status) > kMaxMapBytes || status)
-        return fail(ErrorCode::limitExceeded, "the picture is larger than 64 MiB", path.string());
-    std::ifstream in(path, std::ios::binary);
-    const std::vector<char> bytes((std::istreambuf_iterator<char>(in)),
-                                  std::istreambuf_iterator<char>());
-    if (!in.good() && !in.eof())
-        return fail(ErrorCode::fileRead, "the picture cannot be read", path.string());
+    const Result<std::string> bytes = readMapFile(path, "density picture");
+    if (!bytes) return tl::unexpected(bytes.error());
     Result<Picture> picture = decodePicture(
-        {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, path.string());
+        {reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size()}, path.string());
     if (!picture) return tl::unexpected(picture.error());
     return GreyImage{static_cast<uint32_t>(picture->width), static_cast<uint32_t>(picture->height),
                      std::move(picture->grey)};

@@ -81,6 +81,7 @@ Growth growCells(const GrowthInput& input, const Pattern& pattern, uint32_t leve
         {}});
 
     Growth growth;
+    uint32_t cells = 0;  // of the domains so far
     for (size_t d = 0; d < domains.triangles.size(); ++d) {
         SamplingOptions options;
         options.seed = pattern.seed + 0x9E3779B97F4A7C15ULL * d;
@@ -88,8 +89,8 @@ Growth growCells(const GrowthInput& input, const Pattern& pattern, uint32_t leve
         options.density = input.density;
         const std::vector<SitePoint> sites =
             sampleSites(input.surface, domains.triangles[d], share[d], finder->grid, options);
-        finder->first.push_back(growth.sites);
-        growth.sites += static_cast<uint32_t>(sites.size());
+        finder->first.push_back(cells);
+        cells += static_cast<uint32_t>(sites.size());
         finder->sites.emplace_back(sites);
         const std::vector<Chord> borders = voronoiBorders(input.surface, domains.triangles[d],
                                                           finder->grid, finder->sites.back(), line);

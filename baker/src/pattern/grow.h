@@ -29,7 +29,6 @@ Domains findDomains(const GrowthInput& input);
 struct Growth {
     std::vector<Chord> chords;
     CellLevel cells;
-    uint32_t sites = 0;  ///< of all domains
 };
 
 /// `pattern.count` cells over all domains, by their (weighted) area, at least one each. line: mark

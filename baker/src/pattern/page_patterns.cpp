@@ -4,20 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <random>
+
+#include "pattern/dice.h"
 
 namespace sherd {
 namespace {
-
-/// -1..1, the same with every standard library.
-class Dice {
-  public:
-    explicit Dice(uint64_t seed) : engine_(seed) {}
-    double signedUnit() { return static_cast<double>(engine_() >> 11) * 0x1p-52 - 1; }
-
-  private:
-    std::mt19937_64 engine_;
-};
 
 /// Which of n equal parts of [0, 1] holds x, or is nearest; the first for what is no number.
 uint32_t cellOf(double x, uint32_t n) {

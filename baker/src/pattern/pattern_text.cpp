@@ -10,7 +10,6 @@
 namespace sherd {
 namespace {
 
-constexpr uint32_t kMostPieces = 100'000;
 constexpr uint32_t kMostLines = 1'000;
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

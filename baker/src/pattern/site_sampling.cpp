@@ -4,25 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <set>
 #include <tuple>
 #include <unordered_map>
 
 #include "geometry/triangle.h"
+#include "pattern/dice.h"
 
 namespace sherd {
 namespace {
-
-/// Random numbers that are the same with every standard library.
-class Dice {
-  public:
-    explicit Dice(uint64_t seed) : engine_(seed) {}
-    double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-
-  private:
-    std::mt19937_64 engine_;
-};
 
 struct Candidate {
     uint32_t triangle = 0;
@@ -142,11 +132,7 @@ class Sampler {
             candidate.density = options_.density(candidate.triangle, candidate.weights);
             if (dice_.unit() < candidate.density) break;
         }
-        const auto& v = surface_.triangles[candidate.triangle].v;
-        const glm::dvec3 p = glm::dvec3(surface_.positions[v[0]]) * candidate.weights[0] +
-                             glm::dvec3(surface_.positions[v[1]]) * candidate.weights[1] +
-                             glm::dvec3(surface_.positions[v[2]]) * candidate.weights[2];
-        candidate.point = grid_.snap(p);
+        candidate.point = grid_.snap(pointOn(surface_, candidate.triangle, candidate.weights));
         return candidate;
     }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/compact_labels.h"
 #include "geometry/triangle.h"
 
 namespace sherd {
@@ -24,15 +25,6 @@ uint32_t rootOf(std::span<const uint32_t> into, uint32_t leaf) {
     return leaf;
 }
 
-/// Numbers labels anew in the order of their first appearance.
-uint32_t compact(std::vector<uint32_t>& labels) {
-    std::map<uint32_t, uint32_t> number;
-    for (uint32_t& label : labels) {
-        label = number.try_emplace(label, static_cast<uint32_t>(number.size())).first->second;
-    }
-    return static_cast<uint32_t>(number.size());
-}
-
 }  // namespace
 
 std::vector<uint32_t> bestNeighbours(const SplitSurface& surface, const MeshTopology& topology,
@@ -44,9 +36,7 @@ std::vector<uint32_t> bestNeighbours(const SplitSurface& surface, const MeshTopo
         const uint32_t a = components.leaf[h / 3];
         const uint32_t b = components.leaf[o / 3];
         if (a == b) continue;
-        const auto& v = surface.triangles[h / 3].v;
-        border[a][b] += glm::distance(glm::dvec3(surface.positions[v[h % 3]]),
-                                      glm::dvec3(surface.positions[v[(h + 1) % 3]]));
+        border[a][b] += edgeLength(surface, h);
     }
     std::vector<uint32_t> best(components.leafCount, kNone);
     for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) {
@@ -74,13 +64,12 @@ void mergeLeaves(Components& components, std::span<const uint32_t> into) {
         if (seen[leaf] == 0) oldOfNew.push_back(leaf);
         seen[leaf] = 1;
     }
-    components.leafCount = compact(components.leaf);
+    components.leaf = compactLabels(components.leaf, components.leafCount);
     for (uint32_t k = 0; k < components.levels; ++k) {
         std::vector<uint32_t> labels;
         labels.reserve(oldOfNew.size());
         for (const uint32_t leaf : oldOfNew) labels.push_back(components.ofLeaf[k][leaf]);
-        components.count[k] = compact(labels);
-        components.ofLeaf[k] = std::move(labels);
+        components.ofLeaf[k] = compactLabels(labels, components.count[k]);
     }
 }
 
@@ -95,7 +84,7 @@ std::vector<double> leafAreas(const SplitSurface& surface, const Components& com
 std::vector<MergedLeaf> placesOfLeaves(const SplitSurface& surface, const Components& components) {
     std::vector<double> largest(components.leafCount, -1);
     std::vector<MergedLeaf> places(components.leafCount);
-    for (size_t t = 0; t < surface.triangles.size(); ++t) {
+    for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
         const auto& triangle = surface.triangles[t];
         const uint32_t leaf = components.leaf[t];
         const double area = triangleArea(surface.positions, triangle.v);
@@ -103,10 +92,7 @@ std::vector<MergedLeaf> placesOfLeaves(const SplitSurface& surface, const Compon
         if (area <= largest[leaf]) continue;
         largest[leaf] = area;
         places[leaf].source = triangle.source;
-        places[leaf].position = (glm::dvec3(surface.positions[triangle.v[0]]) +
-                                 glm::dvec3(surface.positions[triangle.v[1]]) +
-                                 glm::dvec3(surface.positions[triangle.v[2]])) /
-                                3.0;
+        places[leaf].position = centroidOf(surface, t);
     }
     return places;
 }

@@ -161,10 +161,9 @@ bool CutSurface::hasCells(uint32_t level) const {
     });
 }
 
-Components componentsOf(const CutSurface& cut, bool splitPatches,
-                        std::vector<CellReport>& reports) {
+Components componentsOf(const CutSurface& cut, std::vector<CellReport>& reports) {
     return findPieces(cut.surface, cut.topology, cut.lines, cut.lines.levels(), cut.groups,
-                      cut.cells, {splitPatches}, reports);
+                      cut.cells, {cut.splitPatches}, reports);
 }
 
 bool isFaithfulSplit(const SurfaceMesh& mesh, const MeshTopology& before, const CutSurface& cut,

@@ -27,7 +27,7 @@ struct CutOptions {
                            ///< of the diagonal on the surface
     double snapDistance = 1e300;  ///< places in 3D farther from the surface are refused; metres
     PageWrap wrap = PageWrap::texture;
-    bool splitPatches = false;
+    bool splitPatches = false;  ///< every patch of a pattern's cell is a piece of its own
 };
 
 struct CutSurface {
@@ -36,14 +36,14 @@ struct CutSurface {
     LineTable lines;
     PartGroups groups;             ///< empty unless patterns asked for it
     std::vector<CellLevel> cells;  ///< of patterns, shallow to deep
+    bool splitPatches = false;     ///< as the options said
     SeamReport seams;
     std::vector<BakePlace> deadEnds;    ///< line ends in the middle of the surface
     std::vector<BakePlace> offSurface;  ///< places too far from the surface, or outside every chart
     std::vector<BakePlace> gaps;        ///< where no way leads on over the surface
     std::vector<BakePlace> alongEdges;  ///< where the way on follows the mesh's edges
-    std::vector<ClosedGap> closedGaps;  ///< of drawings
-    std::vector<BakePlace> closedGaps3d;  ///< of lines over the surface: ends that were led on
-    std::vector<BakePlace> offCharts;  ///< lines that touch no chart: where one begins, in UV only
+    std::vector<BakePlace> closedGaps;  ///< ends that were led on to a line
+    std::vector<BakePlace> offCharts;   ///< lines that touch no chart: where one begins, in UV only
     std::vector<std::string> warnings;
 
     /// Whether a pattern's cells, not patches, are the pieces of a level.
@@ -55,8 +55,9 @@ struct CutSurface {
 Result<CutSurface> cutSurface(const SurfaceMesh& mesh, const MeshTopology& topology,
                               const FracturePlan& plan, const CutOptions& options);
 
-/// The components of every level, patches of one pattern cell put together.
-Components componentsOf(const CutSurface& cut, bool splitPatches, std::vector<CellReport>& reports);
+/// The components of every level, patches of one pattern cell put together unless they are to be
+/// split.
+Components componentsOf(const CutSurface& cut, std::vector<CellReport>& reports);
 
 /// Splitting keeps what it splits: every source triangle's area (to `tolerance`, relative to the
 /// whole), no vertex outside its source triangle, no new border.

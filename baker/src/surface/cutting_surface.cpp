@@ -2,12 +2,11 @@
 #include "surface/cutting_surface.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "finding_text.h"
 #include "surface/triangulation.h"
 
 namespace sherd {
@@ -18,11 +17,8 @@ constexpr double kSmallGap = 0.02;
 constexpr size_t kMostNotes = 1000;
 
 std::string gapNote(double distance) {
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(),
-                  ", %.2g short of a line: --close-gaps %.2g leads it there", distance,
-                  1.2 * distance);
-    return text.data();
+    return text(", %.2g short of a line: --close-gaps %.2g leads it there", distance,
+                1.2 * distance);
 }
 
 }  // namespace
@@ -32,6 +28,7 @@ CuttingSurface::CuttingSurface(const SurfaceMesh& sourceMesh, const MeshTopology
     : mesh(sourceMesh), options(cutOptions) {
     result.surface = uncutSurface(mesh);
     result.topology = topology;
+    result.splitPatches = options.splitPatches;
 }
 
 Result<void> CuttingSurface::cutAlong(const Pass& pass, std::span<const Cut> cuts) {
@@ -128,10 +125,7 @@ glm::dvec3 CuttingSurface::positionAt(uint32_t triangle, const UvTriangle& frame
     const double whole = area(at(1) - at(0), at(2) - at(0));
     const double b = whole == 0 ? 0 : area(uv - at(0), at(2) - at(0)) / whole;
     const double c = whole == 0 ? 0 : area(at(1) - at(0), uv - at(0)) / whole;
-    const auto& v = result.surface.triangles[triangle].v;
-    return glm::dvec3(result.surface.positions[v[0]]) * (1 - b - c) +
-           glm::dvec3(result.surface.positions[v[1]]) * b +
-           glm::dvec3(result.surface.positions[v[2]]) * c;
+    return pointOn(result.surface, triangle, {1 - b - c, b, c});
 }
 
 std::optional<glm::dvec2> CuttingSurface::uvAt(uint32_t triangle,
@@ -144,23 +138,6 @@ Result<void> CuttingSurface::cutChords(std::span<const Chord> chords) {
     if (!cuts) return tl::unexpected(cuts.error());
     const std::vector<UvTriangle> frames(result.surface.triangles.size(), unitFrame());
     return cutAlong({cuts->map, frames, false, 0}, cuts->cuts);
-}
-
-glm::dvec3 CuttingSurface::toObject(const glm::dvec3& scene) const {
-    return glm::inverse(glm::dquat(mesh.restPose.rotation)) *
-           (scene - glm::dvec3(mesh.restPose.translation));
-}
-
-std::pair<glm::dvec3, glm::dvec3> CuttingSurface::extent() const {
-    glm::dvec3 low(1e300);
-    glm::dvec3 high(-1e300);
-    for (const SplitTriangle& t : result.surface.triangles) {
-        for (const uint32_t v : t.v) {
-            low = glm::min(low, glm::dvec3(result.surface.positions[v]));
-            high = glm::max(high, glm::dvec3(result.surface.positions[v]));
-        }
-    }
-    return {low, high};
 }
 
 }  // namespace sherd

@@ -34,11 +34,7 @@ class CuttingSurface {
     /// Cuts along chords of the surface as it is.
     Result<void> cutChords(std::span<const Chord> chords);
 
-    /// A scene position in the object's frame.
-    glm::dvec3 toObject(const glm::dvec3& scene) const;
     std::optional<glm::dvec2> uvAt(uint32_t triangle, const glm::dvec3& position) const;
-    /// Corners of the bounding box.
-    std::pair<glm::dvec3, glm::dvec3> extent() const;
 
   private:
     void markSeams(const Pass& pass, ResolvedEdges& edges) const;

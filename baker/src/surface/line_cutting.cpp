@@ -90,8 +90,7 @@ std::optional<glm::dvec3> nearestRun(const std::vector<Run>& runs, size_t own,
 /// Leads the open ends of runs on to the nearest other run, and a little over it: both follow the
 /// surface, so they meet where they cross rather than in a point.
 void closeGaps(CuttingSurface& work, const PlaceFinder& finder, std::vector<Run>& runs) {
-    const auto [low, high] = work.extent();
-    const double reach = work.options.closeGaps * glm::distance(low, high);
+    const double reach = work.options.closeGaps * boundsOf(work.result.surface).diagonal();
     if (!(reach > 0)) return;
     const std::vector<Run> drawn = runs;
     for (size_t r = 0; r < runs.size(); ++r) {
@@ -106,7 +105,7 @@ void closeGaps(CuttingSurface& work, const PlaceFinder& finder, std::vector<Run>
             std::vector<Found>& places = runs[r].places;
             places.insert(atEnd ? places.end() : places.begin(),
                           {*point, positionOf(work.result.surface, *point)});
-            work.result.closedGaps3d.push_back({end.position, std::nullopt, ""});
+            work.result.closedGaps.push_back({end.position, std::nullopt, ""});
         }
     }
 }

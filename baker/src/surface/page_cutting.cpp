@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "finding_text.h"
+#include "map/gap_closing.h"
 #include "surface/thesis_pairing.h"
 
 namespace sherd {
@@ -41,7 +43,9 @@ Result<void> PageCutter::closeGapsOf(Page& page) {
         closeGaps(page.map, work_.options.closeGaps, lineOf);
     if (!closed) return tl::unexpected(closed.error());
     for (const uint32_t of : lineOf) page.marks.push_back(uint32_t{page.marks[of]});
-    work_.result.closedGaps.insert(work_.result.closedGaps.end(), closed->begin(), closed->end());
+    for (const ClosedGap& gap : *closed)
+        work_.result.closedGaps.push_back(
+            {std::nullopt, gap.from, text("to UV (%.5g, %.5g)", gap.to.x, gap.to.y)});
     return {};
 }
 

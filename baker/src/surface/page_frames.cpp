@@ -11,24 +11,6 @@
 namespace sherd {
 namespace {
 
-struct Extent {
-    glm::dvec3 low{std::numeric_limits<double>::max()};
-    glm::dvec3 high{std::numeric_limits<double>::lowest()};
-    glm::dvec3 size() const { return high - low; }
-    glm::dvec3 middle() const { return (low + high) * 0.5; }
-};
-
-Extent extentOf(const SplitSurface& surface) {
-    Extent extent;
-    for (const SplitTriangle& t : surface.triangles) {
-        for (const uint32_t v : t.v) {
-            extent.low = glm::min(extent.low, glm::dvec3(surface.positions[v]));
-            extent.high = glm::max(extent.high, glm::dvec3(surface.positions[v]));
-        }
-    }
-    return extent;
-}
-
 glm::dvec3 unitAxis(int k) {
     glm::dvec3 axis(0.0);
     axis[k] = 1;
@@ -54,7 +36,7 @@ PagePlane orient(const glm::dvec3& axis) {
     return plane;
 }
 
-PagePlane fit(const Extent& extent, const glm::dvec3& axis) {
+PagePlane fit(const Bounds& extent, const glm::dvec3& axis) {
     PagePlane plane = orient(axis);
     glm::dvec2 low(std::numeric_limits<double>::max());
     glm::dvec2 high(std::numeric_limits<double>::lowest());
@@ -81,7 +63,7 @@ UvTriangle frameOf(const std::array<glm::dvec2, 3>& corner) {
 }
 
 PageFrames wrapAround(const SplitSurface& surface, const glm::dvec3& wanted) {
-    const Extent extent = extentOf(surface);
+    const Bounds extent = boundsOf(surface);
     const glm::dvec3 axis = glm::normalize(wanted);
     // With the axis upright the page's middle faces +z, and u runs towards +x there.
     const glm::dvec3 any = std::abs(axis.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
@@ -134,7 +116,6 @@ PageFrames ontoBox(const SurfaceMesh& mesh, const SplitSurface& surface) {
         std::array<glm::dvec3, 3> p{};
         for (size_t k = 0; k < 3; ++k) p[k] = surface.positions[t.v[k]];
         const uint8_t side = boxSide(mesh, t.source);
-        frames.sides.push_back(side);
         frames.triangles.push_back(
             frameOf({planes[side].at(p[0]), planes[side].at(p[1]), planes[side].at(p[2])}));
     }
@@ -142,7 +123,7 @@ PageFrames ontoBox(const SurfaceMesh& mesh, const SplitSurface& surface) {
 }
 
 glm::dvec3 axisByExtent(const SplitSurface& surface, bool longest) {
-    const glm::dvec3 size = extentOf(surface).size();
+    const glm::dvec3 size = boundsOf(surface).size();
     // Equal extents: look along z, wrap around y.
     int axis = longest ? 1 : 2;
     for (int k = 0; k < 3; ++k)
@@ -164,7 +145,7 @@ glm::dvec3 longestAxis(const SplitSurface& surface) {
 }
 
 PagePlane fitPage(const SplitSurface& surface, const glm::dvec3& axis) {
-    return fit(extentOf(surface), axis == glm::dvec3(0.0) ? -shortestAxis(surface) : axis);
+    return fit(boundsOf(surface), axis == glm::dvec3(0.0) ? -shortestAxis(surface) : axis);
 }
 
 PageFrames framesOnPlane(const SplitSurface& surface, const PagePlane& plane) {
@@ -182,7 +163,7 @@ PageFrames framesOnPlane(const SplitSurface& surface, const PagePlane& plane) {
 }
 
 std::array<PagePlane, 6> boxPlanes(const SplitSurface& surface) {
-    const Extent extent = extentOf(surface);
+    const Bounds extent = boundsOf(surface);
     std::array<PagePlane, 6> planes;
     for (int side = 0; side < 6; ++side)
         planes[static_cast<size_t>(side)] =

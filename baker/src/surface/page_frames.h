@@ -32,8 +32,7 @@ glm::dvec3 longestAxis(const SplitSurface& surface);
 
 struct PageFrames {
     std::vector<UvTriangle> triangles;
-    int tilesU = 1;              ///< copies of the page side by side that the frames reach into
-    std::vector<uint8_t> sides;  ///< box: per triangle, which of the six sides it lies on
+    int tilesU = 1;  ///< copies of the page side by side that the frames reach into
 };
 
 PageFrames framesOnPlane(const SplitSurface& surface, const PagePlane& plane);

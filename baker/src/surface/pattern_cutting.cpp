@@ -106,11 +106,12 @@ Result<void> PatternCutter::growPage(const Pattern& pattern, uint32_t level, uin
 /// Around the point that was hit, looked at along the normal; a unit is the diagonal.
 PagePlane PatternCutter::radialPlane(const Pattern& pattern) const {
     PagePlane plane = fitPage(work_.result.surface, pattern.axis);
-    const auto [low, high] = work_.extent();
-    const double scale = 1 / glm::distance(low, high);
+    const Bounds bounds = boundsOf(work_.result.surface);
+    const double scale = 1 / bounds.diagonal();
     plane.right = glm::normalize(plane.right) * scale;
     plane.down = glm::normalize(plane.down) * scale;
-    plane.origin = pattern.centre ? work_.toObject(*pattern.centre) : (low + high) * 0.5;
+    plane.origin =
+        pattern.centre ? toObjectFrame(work_.mesh.restPose, *pattern.centre) : bounds.middle();
     return plane;
 }
 

@@ -7,26 +7,13 @@
 #include <optional>
 #include <tuple>
 
+#include "geometry/compact_labels.h"
 #include "geometry/ray_hit.h"
 #include "geometry/triangle.h"
 #include "geometry/union_find.h"
 
 namespace sherd {
 namespace {
-
-/// Numbers labels anew in the order of their first appearance.
-template <class Label>
-std::vector<uint32_t> compact(const std::vector<Label>& labels, uint32_t& count) {
-    std::map<Label, uint32_t> number;
-    std::vector<uint32_t> result;
-    result.reserve(labels.size());
-    for (const Label& label : labels) {
-        result.push_back(
-            number.try_emplace(label, static_cast<uint32_t>(number.size())).first->second);
-    }
-    count = static_cast<uint32_t>(number.size());
-    return result;
-}
 
 /// A patch of one level: leaves that hang together.
 struct Patch {
@@ -47,9 +34,8 @@ class Through {
         const glm::dvec3 a = surface_.positions[v[0]];
         const glm::dvec3 b = surface_.positions[v[1]];
         const glm::dvec3 c = surface_.positions[v[2]];
-        const glm::dvec3 from = (a + b + c) / 3.0;
         const glm::dvec3 inwards = glm::cross(c - a, b - a);
-        return firstHit(*tree_, from, inwards, triangle).triangle;
+        return firstHit(*tree_, centroidOf(surface_, triangle), inwards, triangle).triangle;
     }
 
   private:
@@ -69,8 +55,7 @@ class LevelGrouping {
           base_(base),
           level_(level),
           patches_(base.count[level - 1]),
-          owner_(patches_.size()),
-          dead_(patches_.size()) {
+          owner_(patches_.size()) {
         for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
             Patch& patch = patches_[patchOf(t)];
             const double area = triangleArea(surface.positions, surface.triangles[t].v);
@@ -145,23 +130,18 @@ class LevelGrouping {
             if (o == kNone || line == 0 || lines.level(line) >= level_) continue;
             const uint32_t p = patchOf(h / 3);
             const uint32_t q = patchOf(o / 3);
-            if (patches_[p].parent == patches_[q].parent) dead_.unite(p, q);
+            if (patches_[p].parent == patches_[q].parent) owner_.unite(p, q);
         }
-        for (uint32_t p = 0; p < patches_.size(); ++p) owner_.unite(p, dead_.find(p));
     }
 
     std::vector<Key> keysOf(const CellLevel& cells) const {
         std::vector<Key> keys;
         keys.reserve(patches_.size());
         for (const Patch& patch : patches_) {
-            const auto& v = surface_.triangles[patch.triangle].v;
-            const glm::dvec3 middle =
-                (glm::dvec3(surface_.positions[v[0]]) + glm::dvec3(surface_.positions[v[1]]) +
-                 glm::dvec3(surface_.positions[v[2]])) /
-                3.0;
             const uint32_t domain = cells.domain[patch.triangle];
-            keys.emplace_back(
-                domain, cells.cellOf(domain, surface_.triangles[patch.triangle].source, middle));
+            const uint32_t source = surface_.triangles[patch.triangle].source;
+            keys.emplace_back(domain,
+                              cells.cellOf(domain, source, centroidOf(surface_, patch.triangle)));
         }
         return keys;
     }
@@ -207,9 +187,7 @@ class LevelGrouping {
             const uint32_t p = patchOf(h / 3);
             const uint32_t q = patchOf(o / 3);
             if (p == q || attached[p] != 0) continue;
-            const auto& v = surface_.triangles[h / 3].v;
-            border[{p, q}] += glm::distance(glm::dvec3(surface_.positions[v[h % 3]]),
-                                            glm::dvec3(surface_.positions[v[(h + 1) % 3]]));
+            border[{p, q}] += edgeLength(surface_, h);
         }
         // Clusters of strays were united with one another; each patch now goes its own way.
         UnionFind kept(patches_.size());
@@ -239,7 +217,6 @@ class LevelGrouping {
     uint32_t level_;
     std::vector<Patch> patches_;
     UnionFind owner_;  ///< over patches
-    UnionFind dead_;   ///< over patches: those with nothing but a dead line between
 };
 
 }  // namespace
@@ -267,7 +244,7 @@ Components findPieces(const SplitSurface& surface, const MeshTopology& topology,
         std::vector<std::pair<uint32_t, uint32_t>> label;
         for (uint32_t leaf = 0; leaf < base.leafCount; ++leaf)
             label.emplace_back(parent[leaf], ofPatch[base.ofLeaf[k - 1][leaf]]);
-        piece.push_back(compact(label, count.emplace_back()));
+        piece.push_back(compactLabels(label, count.emplace_back()));
         if (level == cells.end()) continue;
         reports.push_back({k, level->asked, count.back(), level->domains, strays, level->text});
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/split_surface.h"
 
+#include <glm/geometric.hpp>
+
 namespace sherd {
 
 SplitSurface uncutSurface(const SurfaceMesh& mesh) {
@@ -13,6 +15,33 @@ SplitSurface uncutSurface(const SurfaceMesh& mesh) {
     for (uint32_t t = 0; t < mesh.triangles.size(); ++t)
         surface.triangles.push_back({mesh.triangles[t], t, {}});
     return surface;
+}
+
+glm::dvec3 pointOn(const SplitSurface& surface, uint32_t triangle, const glm::dvec3& weights) {
+    const auto& v = surface.triangles[triangle].v;
+    return glm::dvec3(surface.positions[v[0]]) * weights[0] +
+           glm::dvec3(surface.positions[v[1]]) * weights[1] +
+           glm::dvec3(surface.positions[v[2]]) * weights[2];
+}
+
+glm::dvec3 centroidOf(const SplitSurface& surface, uint32_t triangle) {
+    const auto& v = surface.triangles[triangle].v;
+    return (glm::dvec3(surface.positions[v[0]]) + glm::dvec3(surface.positions[v[1]]) +
+            glm::dvec3(surface.positions[v[2]])) /
+           3.0;
+}
+
+Bounds boundsOf(const SplitSurface& surface) {
+    Bounds bounds;
+    for (const SplitTriangle& t : surface.triangles)
+        for (const uint32_t v : t.v) bounds.add(surface.positions[v]);
+    return bounds;
+}
+
+double edgeLength(const SplitSurface& surface, uint32_t halfEdge) {
+    const auto& v = surface.triangles[halfEdge / 3].v;
+    return glm::distance(glm::dvec3(surface.positions[v[halfEdge % 3]]),
+                         glm::dvec3(surface.positions[v[(halfEdge + 1) % 3]]));
 }
 
 std::vector<std::array<uint32_t, 3>> vertexTriangles(const SplitSurface& surface) {

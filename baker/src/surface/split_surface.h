@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "geometry/bounds.h"
 #include "sherd/baker/surface_mesh.h"
 
 namespace sherd {
@@ -36,6 +37,16 @@ struct SplitSurface {
 
 /// The mesh before any cut, index-degenerate triangles included.
 SplitSurface uncutSurface(const SurfaceMesh& mesh);
+
+/// The point of a triangle with these weights of its corners, in double.
+glm::dvec3 pointOn(const SplitSurface& surface, uint32_t triangle, const glm::dvec3& weights);
+glm::dvec3 centroidOf(const SplitSurface& surface, uint32_t triangle);
+
+/// Of a half edge, 3 * triangle + k, in metres.
+double edgeLength(const SplitSurface& surface, uint32_t halfEdge);
+
+/// Of the vertices that triangles use.
+Bounds boundsOf(const SplitSurface& surface);
 
 /// The triangles' vertex indices alone, for functions that take plain triangles.
 std::vector<std::array<uint32_t, 3>> vertexTriangles(const SplitSurface& surface);

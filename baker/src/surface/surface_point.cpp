@@ -14,11 +14,9 @@ namespace {
 /// The weights of the point of triangle abc nearest to p, p being that point up to rounding.
 glm::dvec3 weightsAt(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
                      const glm::dvec3& c) {
-    const glm::dvec3 normal = glm::cross(b - a, c - a);
-    const double area = glm::dot(normal, normal);
-    if (area > 0) {
-        const double wb = std::clamp(glm::dot(glm::cross(p - a, c - a), normal) / area, 0.0, 1.0);
-        const double wc = std::clamp(glm::dot(glm::cross(b - a, p - a), normal) / area, 0.0, 1.0);
+    if (const std::optional<glm::dvec3> weights = weightsIn(p, a, b, c)) {
+        const double wb = std::clamp(weights->y, 0.0, 1.0);
+        const double wc = std::clamp(weights->z, 0.0, 1.0);
         const double sum = std::max(1.0, wb + wc);
         return {std::max(0.0, 1 - wb - wc), wb / sum, wc / sum};
     }
@@ -35,14 +33,6 @@ glm::dvec3 weightsAt(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3&
     return {0, 1 - along(b, c, p), along(b, c, p)};
 }
 
-/// The exact position of a frame point, up to the rounding of doubles.
-glm::dvec3 mix(const SplitSurface& surface, uint32_t triangle, const glm::dvec3& weights) {
-    const auto& v = surface.triangles[triangle].v;
-    return glm::dvec3(surface.positions[v[0]]) * weights[0] +
-           glm::dvec3(surface.positions[v[1]]) * weights[1] +
-           glm::dvec3(surface.positions[v[2]]) * weights[2];
-}
-
 bool holds(const UvTriangle& triangle, GridPoint p) {
     const int flip = triangle.kind == UvKind::mirrored ? -1 : 1;
     for (size_t k = 0; k < 3; ++k) {
@@ -55,7 +45,7 @@ bool holds(const UvTriangle& triangle, GridPoint p) {
 }  // namespace
 
 glm::dvec3 positionOf(const SplitSurface& surface, const SurfacePoint& point) {
-    return mix(surface, point.triangle, weightsOf(point.frame));
+    return pointOn(surface, point.triangle, weightsOf(point.frame));
 }
 
 PlaceFinder::PlaceFinder(const SurfaceMesh& mesh, const SplitSurface& surface,
@@ -84,9 +74,7 @@ std::optional<SurfacePoint> PlaceFinder::nearest(const glm::dvec3& position) con
 
 std::optional<SurfacePoint> PlaceFinder::find(const SurfacePlace& place) const {
     if (place.in3d) {
-        const auto& pose = mesh_.restPose;
-        return nearest(glm::inverse(glm::dquat(pose.rotation)) *
-                       (place.point - glm::dvec3(pose.translation)));
+        return nearest(toObjectFrame(mesh_.restPose, place.point));
     }
     const std::optional<GridPoint> p = snapToGrid(place.point.x, place.point.y);
     if (!p) return std::nullopt;

@@ -193,11 +193,8 @@ class TriangleSplitter {
         }
         const glm::dvec3 weights = barycentric(exact);
         const auto& v = in_.surface.triangles[triangle_].v;
-        const glm::dvec3 position = glm::dvec3(in_.surface.positions[v[0]]) * weights[0] +
-                                    glm::dvec3(in_.surface.positions[v[1]]) * weights[1] +
-                                    glm::dvec3(in_.surface.positions[v[2]]) * weights[2];
         const auto global = static_cast<uint32_t>(out_.positions.size());
-        out_.positions.emplace_back(position);
+        out_.positions.emplace_back(pointOn(in_.surface, triangle_, weights));
         out_.origins.push_back(mixOrigins(
             {in_.surface.origins[v[0]], in_.surface.origins[v[1]], in_.surface.origins[v[2]]},
             weights));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "surface/uv_triangle.h"
 
-#include <glm/geometric.hpp>
 #include <optional>
 #include <string>
+
+#include "geometry/triangle.h"
 
 namespace sherd {
 
@@ -57,15 +58,9 @@ std::optional<glm::dvec2> uvOf(const SurfaceMesh& mesh, uint32_t triangle,
     const Attribute* uv = findAttribute(mesh.attributes, mesh.uvSemantic);
     if (uv == nullptr || uv->components != 2) return std::nullopt;
     const auto& v = mesh.triangles[triangle];
-    const glm::dvec3 a = mesh.positions[v[0]];
-    const glm::dvec3 ab = glm::dvec3(mesh.positions[v[1]]) - a;
-    const glm::dvec3 ac = glm::dvec3(mesh.positions[v[2]]) - a;
-    const glm::dvec3 normal = glm::cross(ab, ac);
-    const double area = glm::dot(normal, normal);
-    const glm::dvec3 d = position - a;
-    const double b = area > 0 ? glm::dot(glm::cross(d, ac), normal) / area : 0;
-    const double c = area > 0 ? glm::dot(glm::cross(ab, d), normal) / area : 0;
-    const glm::dvec3 weights(1 - b - c, b, c);
+    const glm::dvec3 weights =
+        weightsIn(position, mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]])
+            .value_or(glm::dvec3(1, 0, 0));
     glm::dvec3 at(0.0);
     for (size_t k = 0; k < 3; ++k) {
         const float* value = &uv->values[2 * size_t{mesh.corners[triangle][k]}];

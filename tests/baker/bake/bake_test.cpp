@@ -9,6 +9,7 @@
 #include "sherd/formats/glb_read.h"
 #include "sherd/formats/glb_write.h"
 #include "sherd/formats/validate.h"
+#include "support/baked_file.h"
 #include "support/plans.h"
 #include "support/property.h"
 #include "support/surface_meshes.h"
@@ -84,27 +85,8 @@ ErrorCode bakeError(const SurfaceMesh& mesh, const FractureMap& map, const Recip
     return baked.error().code;
 }
 
-/// Wraps a mesh and its set into a GLB whose intact mesh is the same positions, for the file check.
 CheckReport checkSet(const SurfaceMesh& mesh, const FractureMap& map, const Recipe& recipe = {}) {
-    Model model;
-    model.meshes.push_back(mesh);
-    model.meshes[0].node = 0;
-    model.meshes[0].mesh = 0;
-    model.document.json =
-        R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36}],)"
-        R"("bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,)"
-        R"("componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[0,0,0]}],)"
-        R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}],)"
-        R"("scenes":[{"nodes":[0]}],"scene":0})";
-    model.document.bin.assign(36, 0);
-    const Result<BakedFile> baked = bakeModel(model, planOf(map), recipe);
-    if (!baked) FAIL(baked.error().message);
-    Result<CheckReport> report = checkFractureSets(baked->glb, {});
-    REQUIRE(report.has_value());
-    for (const auto& f : report->findings) {
-        if (f.severity == Severity::failure) MESSAGE(f.message << " " << f.where);
-    }
-    return *report;
+    return checkBaked(mesh, planOf(map), recipe);
 }
 
 }  // namespace

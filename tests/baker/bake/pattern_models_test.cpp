@@ -44,7 +44,7 @@ void cutInto(const Model& model, uint32_t count) {
             cutSurface(mesh, topology, pattern("voronoi:" + std::to_string(count)), {});
         if (!cut) FAIL(cut.error().message);
         std::vector<CellReport> reports;
-        CHECK(componentsOf(*cut, false, reports).count.at(0) == count);
+        CHECK(componentsOf(*cut, reports).count.at(0) == count);
     }
 }
 

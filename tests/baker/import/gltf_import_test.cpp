@@ -7,10 +7,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "mesh_facts.h"
 #include "tiny_model.h"
 
 using namespace sherd;
 using sherd::test::Json;
+using sherd::test::signedVolume;
 using sherd::test::tetrahedron;
 using sherd::test::TinyModel;
 
@@ -33,17 +35,6 @@ void checkRefused(const TinyModel& model, ErrorCode code, const std::string& whe
     CHECK(meshes.error().code == code);
     CHECK(meshes.error().where == where);
     CHECK_FALSE(meshes.error().message.empty());
-}
-
-double signedVolume(const SurfaceMesh& mesh) {
-    double sum = 0;
-    for (const auto& t : mesh.triangles) {
-        const glm::dvec3 a(mesh.positions[t[0]]);
-        const glm::dvec3 b(mesh.positions[t[1]]);
-        const glm::dvec3 c(mesh.positions[t[2]]);
-        sum += glm::dot(a, glm::cross(b, c)) / 6;
-    }
-    return sum;
 }
 
 const Attribute& attribute(const SurfaceMesh& mesh, const std::string& semantic) {

@@ -6,10 +6,13 @@
 #include <glm/geometric.hpp>
 
 #include "import/gltf_import.h"
+#include "mesh_facts.h"
 #include "tiny_model.h"
 
 using namespace sherd;
 using sherd::test::Json;
+using sherd::test::mentions;
+using sherd::test::signedVolume;
 using sherd::test::tetrahedron;
 using sherd::test::TinyModel;
 
@@ -35,23 +38,6 @@ int node(TinyModel& model, Json made) {
     const int index = static_cast<int>(model.json["nodes"].size()) - 1;
     model.json["scenes"][0]["nodes"].push_back(index);
     return index;
-}
-
-double signedVolume(const SurfaceMesh& mesh) {
-    double sum = 0;
-    for (const auto& t : mesh.triangles) {
-        const glm::dvec3 a(mesh.positions[t[0]]);
-        const glm::dvec3 b(mesh.positions[t[1]]);
-        const glm::dvec3 c(mesh.positions[t[2]]);
-        sum += glm::dot(a, glm::cross(b, c)) / 6;
-    }
-    return sum;
-}
-
-bool mentions(const SurfaceMesh& mesh, const std::string& text) {
-    return std::any_of(mesh.warnings.begin(), mesh.warnings.end(), [&](const std::string& warning) {
-        return warning.find(text) != std::string::npos;
-    });
 }
 
 /// Where the scene shows a position of the mesh.

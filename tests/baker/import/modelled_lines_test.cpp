@@ -9,11 +9,13 @@
 #include "import/level_name.h"
 #include "import/line_chains.h"
 #include "import/obj_import.h"
+#include "mesh_facts.h"
 #include "support/property.h"
 #include "tiny_model.h"
 
 using namespace sherd;
 using sherd::test::Json;
+using sherd::test::mentions;
 using sherd::test::propertyCases;
 using sherd::test::Random;
 using sherd::test::tetrahedron;
@@ -58,12 +60,6 @@ std::vector<glm::dvec3> pointsOf(const FractureMap::SurfaceLine& line) {
         points.push_back(place.point);
     }
     return points;
-}
-
-bool mentions(const std::vector<std::string>& warnings, const std::string& text) {
-    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
-        return warning.find(text) != std::string::npos;
-    });
 }
 
 using Points = std::vector<glm::dvec3>;

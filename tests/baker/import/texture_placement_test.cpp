@@ -5,10 +5,12 @@
 #include <glm/vec3.hpp>
 
 #include "import/gltf_import.h"
+#include "mesh_facts.h"
 #include "tiny_model.h"
 
 using namespace sherd;
 using sherd::test::Json;
+using sherd::test::mentions;
 using sherd::test::tetrahedron;
 using sherd::test::TinyModel;
 
@@ -52,13 +54,6 @@ glm::dvec2 placed(const SurfaceMesh& mesh, glm::dvec2 uv) {
 void checkNear(glm::dvec2 a, glm::dvec2 b) {
     CHECK(a.x == doctest::Approx(b.x).epsilon(1e-12));
     CHECK(a.y == doctest::Approx(b.y).epsilon(1e-12));
-}
-
-bool mentions(const SurfaceMesh& mesh, const std::string& text) {
-    for (const std::string& warning : mesh.warnings) {
-        if (warning.find(text) != std::string::npos) return true;
-    }
-    return false;
 }
 
 }  // namespace

@@ -163,7 +163,7 @@ inline Grown grow(const SurfaceMesh& mesh, const FracturePlan& plan, CutOptions 
     CHECK(isFaithfulSplit(mesh, grown.before, grown.cut, 1e-6));
     CHECK(grown.cut.topology.boundaryEdges >= grown.before.boundaryEdges);
     if (grown.before.boundaryEdges == 0) CHECK(grown.cut.topology.boundaryEdges == 0);
-    grown.components = componentsOf(grown.cut, false, grown.reports);
+    grown.components = componentsOf(grown.cut, grown.reports);
     const Components& c = grown.components;
     CHECK(c.leaf.size() == grown.cut.surface.triangles.size());
     for (uint32_t level = 1; level <= c.levels; ++level) {

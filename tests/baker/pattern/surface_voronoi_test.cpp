@@ -338,7 +338,7 @@ TEST_CASE("empty, tiny and degenerate meshes grow nothing and crash nothing") {
         const MeshTopology noTopology = buildTopology(none.positions, none.triangles);
         const auto empty = cutSurface(none, noTopology, patterns({text}), {});
         std::vector<CellReport> reports;
-        if (empty) CHECK(componentsOf(*empty, false, reports).leafCount == 0);
+        if (empty) CHECK(componentsOf(*empty, reports).leafCount == 0);
 
         MeshMaker one;
         one.triangle({{0, 0, 0}, {0, 0}}, {{1, 0, 0}, {1, 0}}, {{0, 1, 0}, {0, 1}});
@@ -388,7 +388,7 @@ TEST_CASE("options that are no numbers or out of range crash nothing") {
                 continue;
             }
             std::vector<CellReport> reports;
-            CHECK(componentsOf(*cut, false, reports).leafCount >= 1);
+            CHECK(componentsOf(*cut, reports).leafCount >= 1);
         }
     }
 }

@@ -14,6 +14,10 @@
 
 namespace sherd {
 
+/// Of one level. More than any engine simulates; far beyond it a slip of the pen would fill the
+/// memory.
+inline constexpr uint32_t kMostPieces = 100'000;
+
 /// A generated fracture pattern: fracture lines without a drawing, on any mesh.
 struct Pattern {
     enum class Kind : uint8_t {

@@ -52,6 +52,9 @@ struct SurfaceMesh {
     std::vector<std::string> warnings;  ///< what the importer mended or dropped, a sentence each
 };
 
+/// A scene position in the frame of an object that rests so.
+glm::dvec3 toObjectFrame(const RigidPose& restPose, const glm::dvec3& scene);
+
 /// The attribute of that name, or null.
 const Attribute* findAttribute(const std::vector<Attribute>& attributes,
                                const std::string& semantic);
