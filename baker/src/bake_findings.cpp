@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "finding_text.h"
 #include "geometry/closed_mesh.h"
+#include "message_text.h"
 
 namespace sherd {
 namespace {

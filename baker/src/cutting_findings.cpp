@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bake_findings.h"
-#include "finding_text.h"
+#include "message_text.h"
 #include "surface/uv_triangle.h"
 
 namespace sherd {

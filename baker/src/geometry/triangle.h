@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -32,6 +33,21 @@ inline std::optional<glm::dvec3> weightsIn(const glm::dvec3& p, const glm::dvec3
     if (!(area > 0)) return std::nullopt;
     const double wb = glm::dot(glm::cross(p - a, c - a), normal) / area;
     const double wc = glm::dot(glm::cross(b - a, p - a), normal) / area;
+    return glm::dvec3(1 - wb - wc, wb, wc);
+}
+
+/// The weights of the corners at p in a plane. Nothing for triangles without area.
+inline std::optional<glm::dvec3> weightsIn(const glm::dvec2& p,
+                                           const std::array<glm::dvec2, 3>& corner) {
+    const auto area = [](const glm::dvec2& x, const glm::dvec2& y) {
+        return x.x * y.y - x.y * y.x;
+    };
+    const glm::dvec2 ab = corner[1] - corner[0];
+    const glm::dvec2 ac = corner[2] - corner[0];
+    const double whole = area(ab, ac);
+    if (whole == 0) return std::nullopt;
+    const double wb = area(p - corner[0], ac) / whole;
+    const double wc = area(ab, p - corner[0]) / whole;
     return glm::dvec3(1 - wb - wc, wb, wc);
 }
 

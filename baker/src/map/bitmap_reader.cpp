@@ -3,7 +3,6 @@
 // mended where the width of the lines distorts it, then simplified.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/common.hpp>
 #include <string>
 
@@ -18,6 +17,7 @@
 #include "map/bitmap_thinning.h"
 #include "map/bitmap_trace.h"
 #include "map/map_limits.h"
+#include "message_text.h"
 
 namespace sherd {
 
@@ -25,12 +25,6 @@ namespace {
 
 constexpr size_t kMaxBitmapLines = 500'000;  ///< before pruning: more is noise, not a drawing
 constexpr double kBlobShare = 1.0 / 8;       ///< of the picture's shorter side: wider is no line
-
-std::string number(const char* format, double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 class BitmapReader {
   public:
@@ -46,7 +40,7 @@ class BitmapReader {
         if (!graph)
             return fail(ErrorCode::limitExceeded,
                         "the picture holds more than " + std::to_string(kMaxBitmapLines) +
-                            " lines at the threshold " + number("%.3f", threshold_) +
+                            " lines at the threshold " + text("%.3f", threshold_) +
                             "; it is noise, not a drawing: set another threshold, or smooth it",
                         name_);
         warnOfPruned(pruneSpurs(*graph, options_.bitmap.spur));
@@ -82,14 +76,14 @@ class BitmapReader {
     }
     std::string place(glm::dvec2 texel) const {
         const glm::dvec2 uv = toUv(texel);
-        return "(" + number("%.4g", uv.x) + ", " + number("%.4g", uv.y) + ")";
+        return "(" + text("%.4g", uv.x) + ", " + text("%.4g", uv.y) + ")";
     }
 
     void warnOfPruned(const Pruned& pruned) {
         if (pruned.spurs > 0 && pruned.longest > 1.5)
             map_.warnings.push_back(name_ + ": " + std::to_string(pruned.spurs) +
                                     " dead branches taken for noise and left out, the longest of " +
-                                    number("%.1f", pruned.longest) + " texels at UV " +
+                                    text("%.1f", pruned.longest) + " texels at UV " +
                                     place(pruned.spurAt));
         if (pruned.specks > 0)
             map_.warnings.push_back(name_ + ": " + std::to_string(pruned.specks) +
@@ -106,7 +100,7 @@ class BitmapReader {
         }
         const double limit = kBlobShare * std::min(picture_.width, picture_.height);
         if (widest == nullptr || 2 * widest->radius < limit) return;
-        map_.warnings.push_back(name_ + ": the ink is " + number("%.0f", 2 * widest->radius) +
+        map_.warnings.push_back(name_ + ": the ink is " + text("%.0f", 2 * widest->radius) +
                                 " texels wide at UV " + place(widest->at) +
                                 "; it is followed as if it were a line: draw lines, not areas");
     }
@@ -154,14 +148,14 @@ class BitmapReader {
         if (line.points.size() < 2) return;
         line.level = options_.level;
         line.source = name_ + ": line " + std::to_string(map_.lines.size()) + " from (" +
-                      number("%.2f", line.points.front().x) + ", " +
-                      number("%.2f", line.points.front().y) + ")";
+                      text("%.2f", line.points.front().x) + ", " +
+                      text("%.2f", line.points.front().y) + ")";
         map_.lines.push_back(std::move(line));
     }
 
     Error emptyError(size_t ink) const {
         return {ErrorCode::emptyMap,
-                "no line found at the threshold " + number("%.3f", threshold_) +
+                "no line found at the threshold " + text("%.3f", threshold_) +
                     (options_.bitmap.threshold ? " (given)" : " (found by Otsu's method)") + ": " +
                     std::to_string(ink) +
                     " texels are darker, none of them in a line; set another threshold, or draw "

@@ -6,7 +6,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "finding_text.h"
+#include "geometry/triangle.h"
+#include "message_text.h"
 #include "surface/triangulation.h"
 
 namespace sherd {
@@ -118,14 +119,10 @@ bool CuttingSurface::endsOnEdge(const Pass& pass, uint32_t triangle, const CutEn
 
 glm::dvec3 CuttingSurface::positionAt(uint32_t triangle, const UvTriangle& frame,
                                       const glm::dvec2& uv) const {
-    const auto at = [&](size_t k) {
-        return glm::dvec2(frame.corner[k].u, frame.corner[k].v) / double{kGridOne};
-    };
-    const auto area = [](glm::dvec2 x, glm::dvec2 y) { return x.x * y.y - x.y * y.x; };
-    const double whole = area(at(1) - at(0), at(2) - at(0));
-    const double b = whole == 0 ? 0 : area(uv - at(0), at(2) - at(0)) / whole;
-    const double c = whole == 0 ? 0 : area(at(1) - at(0), uv - at(0)) / whole;
-    return pointOn(result.surface, triangle, {1 - b - c, b, c});
+    std::array<glm::dvec2, 3> corner{};
+    for (size_t k = 0; k < 3; ++k)
+        corner[k] = glm::dvec2(frame.corner[k].u, frame.corner[k].v) / double{kGridOne};
+    return pointOn(result.surface, triangle, weightsIn(uv, corner).value_or(glm::dvec3(1, 0, 0)));
 }
 
 std::optional<glm::dvec2> CuttingSurface::uvAt(uint32_t triangle,

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "finding_text.h"
 #include "map/gap_closing.h"
+#include "message_text.h"
 #include "surface/thesis_pairing.h"
 
 namespace sherd {
