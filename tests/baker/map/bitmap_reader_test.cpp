@@ -93,6 +93,19 @@ TEST_CASE("a PNG cut off anywhere is malformed") {
     }
 }
 
+TEST_CASE("an empty data chunk before the others, as PNG permits, changes nothing") {
+    // The decoder copied no bytes to a null pointer there, which the sanitizer stopped at.
+    const std::vector<uint8_t> plain = plainPng(cross(), {3});
+    std::vector<uint8_t> emptyFirst(plain.begin(), plain.begin() + 8 + 25);
+    png::chunk(emptyFirst, "IDAT", {});
+    emptyFirst.insert(emptyFirst.end(), plain.begin() + 8 + 25, plain.end());
+    const Result<FractureMap> expected = read(plain);
+    const Result<FractureMap> got = read(emptyFirst);
+    REQUIRE(expected);
+    REQUIRE(got);
+    CHECK(got->lines.size() == expected->lines.size());
+}
+
 TEST_CASE("a JPEG cut off anywhere is malformed, not half read") {
     const Drawing drawing = cross();
     Random random(1);
