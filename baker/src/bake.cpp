@@ -139,8 +139,9 @@ class Bake {
         const std::vector<MergedLeaf> small = mergeSmallLeaves(
             cut_.surface, cut_.topology, recipe_.minimumComponentShare, components_);
         const InsideTest inside(mesh_.positions, mesh_.triangles);
-        hidden_ = hiddenPoints(cut_.surface, medial.points, inside, recipe_.threads);
-        pieces_ = mendPieces(cut_.surface, cut_.topology, inside, hidden_.points, components_);
+        HiddenPoints hidden = hiddenPoints(cut_.surface, medial.points, inside, recipe_.threads);
+        sheet_ = plainSheet(cut_.surface, cut_.topology, std::move(hidden.points));
+        pieces_ = mendPieces(cut_.surface, cut_.topology, inside, sheet_, components_);
         reportPieces(mesh_, small, pieces_, report());
     }
 
@@ -148,8 +149,8 @@ class Bake {
     Result<void> proveClosed() {
         const StageTimer timer = stage("proving closed", 0.7);
         for (uint32_t level = 1; level <= components_.levels; ++level) {
-            const ClosedReport proof = proveByIds(
-                levelTopology(cut_.surface, cut_.topology, components_, pieces_.faces, level));
+            const ClosedReport proof = proveByIds(levelTopology(cut_.surface, cut_.topology, sheet_,
+                                                                components_, pieces_.faces, level));
             // Where the mesh touches itself along an edge a piece may do the same.
             const bool excused =
                 cut_.topology.pinchedEdges + cut_.topology.nonManifoldEdges > 0 && proof.closed();
@@ -187,8 +188,8 @@ class Bake {
             const double tile = recipe_.interior.uvMetresPerTile > 0
                                     ? recipe_.interior.uvMetresPerTile
                                     : diagonal_ / 4;
-            assembleGeometry({mesh_, cut_.surface, components_, hierarchy, pieces_.faces,
-                              hidden_.points, static_cast<uint32_t>(mesh_.materials.size()), tile},
+            assembleGeometry({mesh_, cut_.surface, components_, hierarchy, pieces_.faces, sheet_,
+                              static_cast<uint32_t>(mesh_.materials.size()), tile},
                              set);
         }
         {
@@ -242,7 +243,7 @@ class Bake {
     MeshTopology meshTopology_;
     CutSurface cut_;
     Components components_;
-    HiddenPoints hidden_;
+    HiddenSheet sheet_;
     MendedPieces pieces_;
     BakedObject result_;
 };

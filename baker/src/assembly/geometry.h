@@ -19,8 +19,8 @@ struct AssemblyInput {
     const Components& components;
     const Hierarchy& hierarchy;
     std::span<const HiddenFace> faces;
-    std::span<const glm::vec3> hiddenPoints;  ///< per split vertex
-    uint32_t interiorMaterial;                ///< index into the set's materials
+    const HiddenSheet& sheet;
+    uint32_t interiorMaterial;  ///< index into the set's materials
     double uvMetresPerTile;
 };
 

@@ -31,7 +31,7 @@ HiddenVertices::HiddenVertices(const AssemblyInput& input, FractureGeometry& out
     : in_(input),
       out_(out),
       sheetFaces_(input.components.leafCount),
-      sheet_(input.surface.positions.size()) {
+      sheet_(input.sheet.points.size()) {
     for (uint32_t f = 0; f < in_.faces.size(); ++f) {
         if (!in_.faces[f].wall) sheetFaces_[in_.faces[f].leaf].push_back(f);
     }
@@ -45,20 +45,15 @@ void HiddenVertices::beginSheet(uint32_t leaf) {
         const glm::dvec3 n =
             areaNormal(position(corners[0]), position(corners[1]), position(corners[2]));
         for (const CornerRef ref : corners) {
-            SheetVertex& vertex = sheet_[splitVertex(ref)];
+            SheetVertex& vertex = sheet_[vertexOf(in_.surface, in_.sheet, ref)];
             if (vertex.leaf != leaf) vertex = {leaf, glm::dvec3(0.0), {kNone, kNone, kNone}};
             vertex.normal += n;
         }
     }
 }
 
-uint32_t HiddenVertices::splitVertex(CornerRef ref) const {
-    return in_.surface.triangles[ref.corner / 3].v[ref.corner % 3];
-}
-
 glm::vec3 HiddenVertices::position(CornerRef ref) const {
-    const uint32_t v = splitVertex(ref);
-    return ref.hidden != 0 ? in_.hiddenPoints[v] : in_.surface.positions[v];
+    return positionOf(in_.surface, in_.sheet, ref);
 }
 
 std::array<uint32_t, 3> HiddenVertices::vertices(const HiddenFace& face) {
@@ -73,7 +68,7 @@ std::array<uint32_t, 3> HiddenVertices::vertices(const HiddenFace& face) {
             result[k] = newVertex(p[k], unit(flat, axis), axis);
             continue;
         }
-        SheetVertex& vertex = sheet_[splitVertex(face.corners[k])];
+        SheetVertex& vertex = sheet_[vertexOf(in_.surface, in_.sheet, face.corners[k])];
         uint32_t& known = vertex.ofAxis[static_cast<size_t>(axis)];
         if (known == kNone) known = newVertex(p[k], unit(vertex.normal, axis), axis);
         result[k] = known;

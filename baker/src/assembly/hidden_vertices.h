@@ -17,7 +17,6 @@ class HiddenVertices {
 
   private:
     glm::vec3 position(CornerRef ref) const;
-    uint32_t splitVertex(CornerRef ref) const;
     void beginSheet(uint32_t leaf);
     uint32_t newVertex(const glm::vec3& position, const glm::vec3& normal, int axis);
 
@@ -29,7 +28,7 @@ class HiddenVertices {
     const AssemblyInput& in_;
     FractureGeometry& out_;
     std::vector<std::vector<uint32_t>> sheetFaces_;  ///< per leaf
-    std::vector<SheetVertex> sheet_;                 ///< per split vertex
+    std::vector<SheetVertex> sheet_;                 ///< per vertex of the sheet
     uint32_t sheetLeaf_ = kNone;
 };
 

@@ -12,11 +12,11 @@
 namespace sherd {
 namespace {
 
-std::vector<MassProperties> measure(const SplitSurface& surface, const Components& components,
-                                    std::span<const HiddenFace> faces,
-                                    std::span<const glm::vec3> hidden) {
+std::vector<MassProperties> measure(const SplitSurface& surface, const HiddenSheet& sheet,
+                                    const Components& components,
+                                    std::span<const HiddenFace> faces) {
     std::vector<glm::vec3> positions(surface.positions);
-    positions.insert(positions.end(), hidden.begin(), hidden.end());
+    positions.insert(positions.end(), sheet.points.begin(), sheet.points.end());
     const auto count = static_cast<uint32_t>(surface.positions.size());
     std::vector<std::vector<std::array<uint32_t, 3>>> pieces(components.leafCount);
     for (size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -26,8 +26,7 @@ std::vector<MassProperties> measure(const SplitSurface& surface, const Component
         std::array<uint32_t, 3> ids{};
         for (size_t k = 0; k < 3; ++k) {
             const CornerRef ref = face.corners[k];
-            ids[k] =
-                surface.triangles[ref.corner / 3].v[ref.corner % 3] + (ref.hidden != 0 ? count : 0);
+            ids[k] = vertexOf(surface, sheet, ref) + (ref.hidden != 0 ? count : 0);
         }
         pieces[face.leaf].push_back(ids);
     }
@@ -52,19 +51,19 @@ std::vector<uint32_t> emptyLeaves(std::span<const MassProperties> leaves) {
 }
 
 /// Moves the hidden points of the given leaves half way to the surface.
-void thin(const SplitSurface& surface, const Components& components, const InsideTest& inside,
-          std::span<const uint32_t> leaves, std::vector<glm::vec3>& hidden) {
+void thin(const Components& components, const InsideTest& inside, std::span<const uint32_t> leaves,
+          HiddenSheet& sheet) {
     std::vector<uint8_t> chosen(components.leafCount, 0);
     for (const uint32_t leaf : leaves) chosen[leaf] = 1;
-    std::vector<uint8_t> moved(surface.positions.size(), 0);
-    for (size_t t = 0; t < surface.triangles.size(); ++t) {
-        if (chosen[components.leaf[t]] == 0) continue;
-        for (const uint32_t v : surface.triangles[t].v) {
+    std::vector<uint8_t> moved(sheet.points.size(), 0);
+    for (const HiddenSheet::Triangle& t : sheet.triangles) {
+        if (chosen[components.leaf[t.parent]] == 0) continue;
+        for (const uint32_t v : t.v) {
             if (moved[v] != 0) continue;
             moved[v] = 1;
-            const glm::vec3& p = surface.positions[v];
-            hidden[v] =
-                pullInside(inside, p, glm::vec3((glm::dvec3(p) + glm::dvec3(hidden[v])) * 0.5));
+            const glm::dvec3 p(sheet.feet[v]);
+            sheet.points[v] = pullInside(inside, sheet.feet[v],
+                                         glm::vec3((p + glm::dvec3(sheet.points[v])) * 0.5));
         }
     }
 }
@@ -72,41 +71,40 @@ void thin(const SplitSurface& surface, const Components& components, const Insid
 /// Gives the pieces a shell: a share of the way through the solid, no deeper than the piece is
 /// wide.
 void shell(const SplitSurface& surface, const Components& components, const ThinShell& below,
-           std::span<const uint32_t> leaves, double share, std::vector<glm::vec3>& hidden) {
+           std::span<const uint32_t> leaves, double share, HiddenSheet& sheet) {
     const std::vector<double> areas = leafAreas(surface, components);
     std::vector<double> deepest(components.leafCount, 0);
     for (const uint32_t leaf : leaves) deepest[leaf] = 0.25 * std::sqrt(areas[leaf]);
-    std::vector<double> reach(surface.positions.size(), 0);
-    for (size_t t = 0; t < surface.triangles.size(); ++t) {
-        for (const uint32_t v : surface.triangles[t].v)
-            reach[v] = std::max(reach[v], deepest[components.leaf[t]]);
+    std::vector<double> reach(sheet.points.size(), 0);
+    for (const HiddenSheet::Triangle& t : sheet.triangles) {
+        for (const uint32_t v : t.v)
+            reach[v] = std::max(reach[v], deepest[components.leaf[t.parent]]);
     }
     for (uint32_t v = 0; v < reach.size(); ++v)
-        if (reach[v] > 0) hidden[v] = below.below(v, share, reach[v]);
+        if (reach[v] > 0) sheet.points[v] = below.below(v, share, reach[v]);
 }
 
 }  // namespace
 
 MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topology,
-                        const InsideTest& inside, std::vector<glm::vec3>& hidden,
-                        Components& components) {
+                        const InsideTest& inside, HiddenSheet& sheet, Components& components) {
     MendedPieces result;
-    result.faces = stitch(surface, topology, components);
-    std::vector<MassProperties> leaves = measure(surface, components, result.faces, hidden);
+    result.faces = stitch(surface, topology, sheet, components);
+    std::vector<MassProperties> leaves = measure(surface, sheet, components, result.faces);
     std::vector<uint32_t> empty = emptyLeaves(leaves);
     result.thinned = static_cast<uint32_t>(empty.size());
     for (int round = 0; round < 6 && !empty.empty(); ++round) {
-        thin(surface, components, inside, empty, hidden);
-        leaves = measure(surface, components, result.faces, hidden);
+        thin(components, inside, empty, sheet);
+        leaves = measure(surface, sheet, components, result.faces);
         empty = emptyLeaves(leaves);
     }
     if (!empty.empty()) {
-        const ThinShell below(surface, inside);
+        const ThinShell below(sheet, inside);
         const auto before = static_cast<uint32_t>(empty.size());
         for (const double share : {0.4, 0.1, 0.02}) {
             if (empty.empty()) break;
-            shell(surface, components, below, empty, share, hidden);
-            leaves = measure(surface, components, result.faces, hidden);
+            shell(surface, components, below, empty, share, sheet);
+            leaves = measure(surface, sheet, components, result.faces);
             empty = emptyLeaves(leaves);
         }
         result.shelled = before - std::min(before, static_cast<uint32_t>(empty.size()));
@@ -130,8 +128,8 @@ MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topolog
         }
         if (!changed) break;
         mergeLeaves(components, into);
-        result.faces = stitch(surface, topology, components);
-        leaves = measure(surface, components, result.faces, hidden);
+        result.faces = stitch(surface, topology, sheet, components);
+        leaves = measure(surface, sheet, components, result.faces);
         empty = emptyLeaves(leaves);
     }
     result.empty = static_cast<uint32_t>(empty.size());

@@ -21,10 +21,9 @@ struct MendedPieces {
 
 /// For a piece of no positive volume its hidden points go back towards the surface by halves, at
 /// most six times; failing that it gets a shell of even thickness; failing that it is merged into
-/// the neighbour with the longest border. Changes `hidden` and `components`; what is left
+/// the neighbour with the longest border. Changes the sheet's points and `components`; what is left
 /// afterwards has positive volume, unless the whole object has none.
 MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topology,
-                        const InsideTest& inside, std::vector<glm::vec3>& hidden,
-                        Components& components);
+                        const InsideTest& inside, HiddenSheet& sheet, Components& components);
 
 }  // namespace sherd

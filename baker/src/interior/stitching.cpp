@@ -37,35 +37,37 @@ std::vector<uint8_t> inDividedParts(const SplitSurface& surface, const MeshTopol
     return divided;
 }
 
-/// The wall below the half edge p -> q: q, p, M(p), M(q). Both sides of a border take the same
-/// diagonal, from the lower vertex.
-void addWall(const SplitSurface& surface, uint32_t halfEdge, HiddenFace face,
-             std::vector<HiddenFace>& faces) {
-    const uint32_t p = halfEdge;
-    const uint32_t q = nextCorner(halfEdge);
+/// Appends the wall below a border of the split surface, half edge p -> q, piece by piece: the part
+/// below the sheet's half edge a -> b on it. From the lower of p and q a fan goes over the hidden
+/// points, so that both sides of a border make the same triangles.
+void addWall(const SplitSurface& surface, const HiddenSheet& sheet, uint32_t sheetHalfEdge,
+             HiddenFace face, std::vector<HiddenFace>& faces) {
+    const uint32_t a = sheetHalfEdge;
+    const uint32_t b = nextCorner(a);
+    const uint32_t p = sheet.triangles[a / 3].along[a % 3];
+    const uint32_t q = nextCorner(p);
+    const uint32_t pVertex = surface.triangles[p / 3].v[p % 3];
+    const uint32_t qVertex = surface.triangles[q / 3].v[q % 3];
+    const bool lowIsP = pVertex < qVertex;
     face.wall = true;
-    const bool lowIsP = surface.triangles[p / 3].v[p % 3] < surface.triangles[q / 3].v[q % 3];
-    if (lowIsP) {
-        face.corners = {outer(q), outer(p), below(q)};
+    const uint32_t far = lowIsP ? b : a;
+    if (sheet.triangles[far / 3].v[far % 3] == (lowIsP ? qVertex : pVertex)) {
+        face.corners = {outer(q), outer(p), below(far)};
         faces.push_back(face);
-        face.corners = {outer(p), below(p), below(q)};
-    } else {
-        face.corners = {outer(q), outer(p), below(p)};
-        faces.push_back(face);
-        face.corners = {outer(q), below(p), below(q)};
     }
+    face.corners = {outer(lowIsP ? p : q), below(a), below(b)};
     faces.push_back(face);
 }
 
 }  // namespace
 
 std::vector<HiddenFace> stitch(const SplitSurface& surface, const MeshTopology& topology,
-                               const Components& components) {
+                               const HiddenSheet& sheet, const Components& components) {
     const std::vector<uint8_t> divided = inDividedParts(surface, topology, components);
     std::vector<HiddenFace> faces;
-    faces.reserve(surface.triangles.size() + surface.triangles.size() / 4);
-    for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
-        const uint32_t leaf = components.leaf[t];
+    faces.reserve(sheet.triangles.size() + sheet.triangles.size() / 4);
+    for (uint32_t t = 0; t < sheet.triangles.size(); ++t) {
+        const uint32_t leaf = components.leaf[sheet.triangles[t].parent];
         HiddenFace face;
         face.leaf = leaf;
         if (divided[leaf] != 0) {
@@ -74,43 +76,57 @@ std::vector<HiddenFace> stitch(const SplitSurface& surface, const MeshTopology& 
             faces.push_back(face);
         }
         for (uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-            const uint32_t o = topology.opposite[h];
+            const uint32_t along = sheet.triangles[t].along[h % 3];
+            if (along == kNone) continue;
+            const uint32_t o = topology.opposite[along];
             face.neighbour = o == kNone ? kNone : components.leaf[o / 3];
             if (face.neighbour == leaf) continue;
             face.exposedFrom = o == kNone ? 1 : components.separatedFrom(leaf, face.neighbour);
-            addWall(surface, h, face, faces);
+            addWall(surface, sheet, h, face, faces);
         }
     }
     return faces;
 }
 
-std::vector<std::array<uint32_t, 3>> levelTopology(const SplitSurface& surface,
-                                                   const MeshTopology& topology,
-                                                   const Components& components,
-                                                   std::span<const HiddenFace> hidden,
-                                                   uint32_t level) {
-    const auto cornerCount = static_cast<uint32_t>(3 * surface.triangles.size());
+namespace {
+
+/// Corners around one vertex that hang together within one fragment: one id for each such fan.
+template <class FragmentOf>
+UnionFind fansOf(std::span<const uint32_t> opposite, const FragmentOf& fragmentOf) {
+    const auto cornerCount = static_cast<uint32_t>(opposite.size());
     UnionFind fan(cornerCount);
     for (uint32_t h = 0; h < cornerCount; ++h) {
-        const uint32_t o = topology.opposite[h];
-        if (o == kNone || o < h) continue;
-        if (components.at(level, components.leaf[h / 3]) !=
-            components.at(level, components.leaf[o / 3]))
-            continue;
+        const uint32_t o = opposite[h];
+        if (o == kNone || o < h || fragmentOf(h / 3) != fragmentOf(o / 3)) continue;
         fan.unite(h, nextCorner(o));
         fan.unite(nextCorner(h), o);
     }
+    return fan;
+}
+
+}  // namespace
+
+std::vector<std::array<uint32_t, 3>> levelTopology(
+    const SplitSurface& surface, const MeshTopology& topology, const HiddenSheet& sheet,
+    const Components& components, std::span<const HiddenFace> hidden, uint32_t level) {
+    const auto fragmentOf = [&](uint32_t t) { return components.at(level, components.leaf[t]); };
+    UnionFind outerFans = fansOf(topology.opposite, fragmentOf);
+    UnionFind hiddenFans =
+        fansOf(sheet.opposite, [&](uint32_t t) { return fragmentOf(sheet.triangles[t].parent); });
     std::vector<std::array<uint32_t, 3>> triangles;
     triangles.reserve(surface.triangles.size() + hidden.size());
     for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
-        triangles.push_back(
-            {2 * fan.find(3 * t), 2 * fan.find(3 * t + 1), 2 * fan.find(3 * t + 2)});
+        triangles.push_back({2 * outerFans.find(3 * t), 2 * outerFans.find(3 * t + 1),
+                             2 * outerFans.find(3 * t + 2)});
     }
     for (const HiddenFace& face : hidden) {
         if (face.exposedFrom > level) continue;
         std::array<uint32_t, 3> ids{};
-        for (size_t k = 0; k < 3; ++k)
-            ids[k] = 2 * fan.find(face.corners[k].corner) + face.corners[k].hidden;
+        for (size_t k = 0; k < 3; ++k) {
+            const CornerRef ref = face.corners[k];
+            ids[k] = ref.hidden != 0 ? 2 * hiddenFans.find(ref.corner) + 1
+                                     : 2 * outerFans.find(ref.corner);
+        }
         triangles.push_back(ids);
     }
     return triangles;

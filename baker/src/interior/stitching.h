@@ -8,12 +8,13 @@
 #include <span>
 #include <vector>
 
+#include "interior/hidden_sheet.h"
 #include "surface/components.h"
 #include "surface/mesh_topology.h"
 
 namespace sherd {
 
-/// A corner of the split surface (3 * triangle + k), or the hidden point below it.
+/// A corner of the split surface (3 * triangle + k), or the hidden point of a corner of the sheet.
 struct CornerRef {
     uint32_t corner : 31;
     uint32_t hidden : 1;
@@ -27,19 +28,28 @@ struct HiddenFace {
     bool wall = false;
 };
 
-/// The hidden faces of all leaves, in the order of leaves' triangles. A wall shows from the level
-/// at which its two leaves part, a sheet from level 1. A closed part that no line of any level
-/// divides has neither. Open borders of the mesh get a wall (a rim) of their own, exposed from
-/// level 1.
+/// The hidden faces of all leaves, in the order of the sheet's triangles. A wall shows from the
+/// level at which its two leaves part, a sheet from level 1. A closed part that no line of any
+/// level divides has neither. Open borders of the mesh get a wall (a rim) of their own, exposed
+/// from level 1.
 std::vector<HiddenFace> stitch(const SplitSurface& surface, const MeshTopology& topology,
-                               const Components& components);
+                               const HiddenSheet& sheet, const Components& components);
+
+/// The split vertex of an outer corner, the sheet's vertex of a hidden one.
+inline uint32_t vertexOf(const SplitSurface& surface, const HiddenSheet& sheet, CornerRef ref) {
+    return ref.hidden != 0 ? sheet.triangles[ref.corner / 3].v[ref.corner % 3]
+                           : surface.triangles[ref.corner / 3].v[ref.corner % 3];
+}
+inline const glm::vec3& positionOf(const SplitSurface& surface, const HiddenSheet& sheet,
+                                   CornerRef ref) {
+    const uint32_t v = vertexOf(surface, sheet, ref);
+    return ref.hidden != 0 ? sheet.points[v] : surface.positions[v];
+}
 
 /// Vertex ids (2 * class + hidden) of all faces of all fragments of one level, outer and hidden,
 /// such that a component that touches itself at a vertex has one id for each of its fans there.
-std::vector<std::array<uint32_t, 3>> levelTopology(const SplitSurface& surface,
-                                                   const MeshTopology& topology,
-                                                   const Components& components,
-                                                   std::span<const HiddenFace> hidden,
-                                                   uint32_t level);
+std::vector<std::array<uint32_t, 3>> levelTopology(
+    const SplitSurface& surface, const MeshTopology& topology, const HiddenSheet& sheet,
+    const Components& components, std::span<const HiddenFace> hidden, uint32_t level);
 
 }  // namespace sherd

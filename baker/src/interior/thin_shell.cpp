@@ -9,21 +9,32 @@
 
 namespace sherd {
 
-ThinShell::ThinShell(const SplitSurface& surface, const InsideTest& inside)
-    : surface_(surface),
+namespace {
+
+std::vector<std::array<uint32_t, 3>> trianglesOf(const HiddenSheet& sheet) {
+    std::vector<std::array<uint32_t, 3>> triangles;
+    triangles.reserve(sheet.triangles.size());
+    for (const HiddenSheet::Triangle& t : sheet.triangles) triangles.push_back(t.v);
+    return triangles;
+}
+
+}  // namespace
+
+ThinShell::ThinShell(const HiddenSheet& sheet, const InsideTest& inside)
+    : sheet_(sheet),
       inside_(inside),
-      normals_(surface.positions.size(), glm::dvec3(0.0)),
-      tree_(surface.positions, vertexTriangles(surface)) {
-    for (const SplitTriangle& t : surface.triangles) {
-        const glm::dvec3 a = surface.positions[t.v[0]];
-        const glm::dvec3 normal = glm::cross(glm::dvec3(surface.positions[t.v[1]]) - a,
-                                             glm::dvec3(surface.positions[t.v[2]]) - a);
+      normals_(sheet.feet.size(), glm::dvec3(0.0)),
+      tree_(sheet.feet, trianglesOf(sheet)) {
+    for (const HiddenSheet::Triangle& t : sheet.triangles) {
+        const glm::dvec3 a = sheet.feet[t.v[0]];
+        const glm::dvec3 normal =
+            glm::cross(glm::dvec3(sheet.feet[t.v[1]]) - a, glm::dvec3(sheet.feet[t.v[2]]) - a);
         for (const uint32_t v : t.v) normals_[v] += normal;
     }
 }
 
 glm::vec3 ThinShell::below(uint32_t vertex, double share, double deepest) const {
-    const glm::vec3& p = surface_.positions[vertex];
+    const glm::vec3& p = sheet_.feet[vertex];
     const double length = glm::length(normals_[vertex]);
     if (!(length > 0)) return p;
     const glm::dvec3 inwards = normals_[vertex] / -length;

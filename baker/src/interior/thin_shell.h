@@ -8,20 +8,21 @@
 
 #include "geometry/inside_test.h"
 #include "geometry/triangle_bvh.h"
-#include "surface/split_surface.h"
+#include "interior/hidden_sheet.h"
 
 namespace sherd {
 
 class ThinShell {
   public:
-    ThinShell(const SplitSurface& surface, const InsideTest& inside);
+    ThinShell(const HiddenSheet& sheet, const InsideTest& inside);
 
-    /// The point below vertex v, against its mean normal, at `share` of the way to what lies across
-    /// the solid; at most `deepest` metres. The vertex itself where no such place is inside.
+    /// The point below the sheet's vertex v, against its mean normal, at `share` of the way to what
+    /// lies across the solid; at most `deepest` metres. The vertex itself where no such place is
+    /// inside.
     glm::vec3 below(uint32_t vertex, double share, double deepest) const;
 
   private:
-    const SplitSurface& surface_;
+    const HiddenSheet& sheet_;
     const InsideTest& inside_;
     std::vector<glm::dvec3> normals_;  ///< per vertex: of the triangles around it, by area
     TriangleBvh tree_;

@@ -55,10 +55,13 @@ TEST_CASE("random maps on random meshes: area is kept, closed stays closed, piec
         const SurfaceMesh mesh = randomMesh(random, grid);
         const CutResult r = cutAndCheck(mesh, randomMap(random, grid), 0.01, 2);
         REQUIRE(r.components.count[0] <= r.components.count[1]);
-        const std::vector<HiddenFace> hidden = stitch(r.cut.surface, r.cut.topology, r.components);
+        const HiddenSheet sheet =
+            plainSheet(r.cut.surface, r.cut.topology, r.cut.surface.positions);
+        const std::vector<HiddenFace> hidden =
+            stitch(r.cut.surface, r.cut.topology, sheet, r.components);
         for (uint32_t level = 1; level <= 2; ++level) {
             const auto triangles =
-                levelTopology(r.cut.surface, r.cut.topology, r.components, hidden, level);
+                levelTopology(r.cut.surface, r.cut.topology, sheet, r.components, hidden, level);
             REQUIRE(proveByIds(triangles).manifold());
         }
     }
