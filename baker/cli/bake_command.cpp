@@ -25,7 +25,7 @@ struct BakeArguments {
     std::filesystem::path model, output, report;
     LevelArguments lines;
     ImportOptions import;
-    std::string interior = "medial";
+    std::string interior;
     std::optional<double> density;
     std::optional<unsigned> threads;
     bool thesis = false;
@@ -61,6 +61,11 @@ Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
     if (!recipe) return recipe;
     if (arguments.density) recipe->physics.density = *arguments.density;
     if (arguments.threads) recipe->threads = *arguments.threads;
+    if (!arguments.interior.empty()) {
+        const Result<InteriorType> type = parseInteriorType(arguments.interior);
+        if (!type) return fail(type.error().code, "--interior: " + type.error().message);
+        recipe->interior.type = *type;
+    }
     recipe->interior.thesis = recipe->interior.thesis || arguments.thesis;
     recipe->allowOpen = recipe->allowOpen || arguments.allowOpen;
     return recipe;
@@ -235,9 +240,10 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         ->capture_default_str();
     command->add_flag("--join", arguments->import.join,
                       "Take the chosen nodes for parts of one object, named after the first");
-    command->add_option("--interior", arguments->interior, "How pieces are closed inside")
-        ->check(CLI::IsMember({"medial"}))
-        ->capture_default_str();
+    command
+        ->add_option("--interior", arguments->interior,
+                     "How pieces are closed inside (default medial)")
+        ->check(CLI::IsMember({"medial"}));
     command->add_flag(
         "--thesis", arguments->thesis,
         "Casella's thesis to the letter: the medial surface smoothed 10 steps before and "

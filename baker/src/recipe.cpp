@@ -153,7 +153,7 @@ bool readLevelColors(Reader& reader, const Json& json, const std::string& pointe
 
 bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                   InteriorSettings& interior) {
-    std::string type = "medial";
+    std::string type;
     if (!reader.object(json, pointer,
                        {{"type", reader.string(type)},
                         {"thesis", reader.boolean(interior.thesis)},
@@ -163,7 +163,11 @@ bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                         {"uvMetresPerTile", reader.number(interior.uvMetresPerTile, 0, 1e9)}})) {
         return false;
     }
-    return type == "medial" || reader.wrong(pointer + "/type", "must be \"medial\"");
+    if (type.empty()) return true;
+    const Result<InteriorType> parsed = parseInteriorType(type);
+    if (!parsed) return reader.wrong(pointer + "/type", ": " + parsed.error().message);
+    interior.type = *parsed;
+    return true;
 }
 
 bool readPhysics(Reader& reader, const Json& json, const std::string& pointer,
@@ -226,6 +230,12 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
         recipe.wrap = *parsed;
     }
     return recipe;
+}
+
+Result<InteriorType> parseInteriorType(std::string_view text) {
+    if (text == "medial") return InteriorType::medial;
+    return fail(ErrorCode::badArgument,
+                "\"" + std::string(text) + "\" is no way to close pieces: medial");
 }
 
 Result<PageWrap> parsePageWrap(std::string_view text) {

@@ -16,8 +16,16 @@
 
 namespace sherd {
 
+/// What closes a piece below its patch of the surface.
+enum class InteriorType : uint8_t {
+    medial,  ///< a sheet on the medial surface (thesis 4.8)
+    shell,   ///< a sheet at a thickness of its own, never past the medial surface
+    solid    ///< cut through to the far side, no sheet (thesis 6.3.2); medial where that fails
+};
+
 /// How pieces look inside.
 struct InteriorSettings {
+    InteriorType type = InteriorType::medial;
     bool thesis = false;    ///< the thesis' own: 10 Laplacian steps before and after, and
                             ///< line ends on both sides of a seam averaged in order
     int preSmoothing = 12;  ///< 0..1000 steps before the medial surface is sought
@@ -75,6 +83,9 @@ struct Recipe {
     bool allowOpen = false;  ///< bake meshes with open or non-manifold edges; borders get a rim
     unsigned threads = 2;    ///< at most; results do not depend on it
 };
+
+/// "medial". Error badArgument.
+Result<InteriorType> parseInteriorType(std::string_view text);
 
 /// "texture", "none", "repeat", "mirror" or "clamp". Error badArgument.
 Result<PageWrap> parsePageWrap(std::string_view text);
