@@ -25,7 +25,7 @@ struct BakeArguments {
     std::filesystem::path model, output, report;
     LevelArguments lines;
     ImportOptions import;
-    std::string interior;
+    std::string interior, interiorMaterial;
     std::optional<double> density;
     std::optional<unsigned> threads;
     bool thesis = false;
@@ -68,6 +68,7 @@ Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
     }
     recipe->interior.thesis = recipe->interior.thesis || arguments.thesis;
     recipe->allowOpen = recipe->allowOpen || arguments.allowOpen;
+    if (!arguments.interiorMaterial.empty()) recipe->interior.material = arguments.interiorMaterial;
     return recipe;
 }
 
@@ -244,6 +245,8 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         ->add_option("--interior", arguments->interior,
                      "How pieces are closed inside (default medial)")
         ->check(CLI::IsMember({"medial"}));
+    command->add_option("--interior-material", arguments->interiorMaterial,
+                        "The model's material for broken faces (default: a neutral grey is added)");
     command->add_flag(
         "--thesis", arguments->thesis,
         "Casella's thesis to the letter: the medial surface smoothed 10 steps before and "

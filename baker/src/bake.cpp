@@ -2,9 +2,11 @@
 // The pipeline: mesh + map -> split surface -> components -> closed fragments -> fracture set.
 #include "sherd/baker/bake.h"
 
+#include <algorithm>
 #include <chrono>
 #include <future>
 
+#include "appearance/hidden_mesh.h"
 #include "assembly/geometry.h"
 #include "assembly/labels.h"
 #include "assembly/physics.h"
@@ -27,12 +29,8 @@ using Clock = std::chrono::steady_clock;
 class Bake {
   public:
     Bake(const SurfaceMesh& mesh, const FracturePlan& plan, const Recipe& recipe,
-         int32_t interiorMaterial, const Progress& progress)
-        : mesh_(mesh),
-          plan_(plan),
-          recipe_(recipe),
-          interiorMaterial_(interiorMaterial),
-          progress_(progress) {}
+         const InteriorMaterials& interior, const Progress& progress)
+        : mesh_(mesh), plan_(plan), recipe_(recipe), interior_(interior), progress_(progress) {}
 
     Result<BakedObject> run() {
         if (auto ok = inspect(); !ok) return tl::unexpected(ok.error());
@@ -165,6 +163,19 @@ class Bake {
         return {};
     }
 
+    /// Appends the materials of hidden faces; returns which lies below each of the mesh's.
+    std::vector<uint32_t> addInteriorMaterials(std::vector<int32_t>& materials) const {
+        const auto first = static_cast<std::ptrdiff_t>(materials.size());
+        std::vector<uint32_t> slots;
+        for (const int32_t outer : mesh_.materials) {
+            const int32_t inner = interior_.under(outer);
+            const auto known = std::find(materials.begin() + first, materials.end(), inner);
+            slots.push_back(static_cast<uint32_t>(known - materials.begin()));
+            if (known == materials.end()) materials.push_back(inner);
+        }
+        return slots;
+    }
+
     void assemble() {
         FractureSet& set = result_.set;
         set.name = mesh_.name;
@@ -172,7 +183,7 @@ class Bake {
         set.mesh = mesh_.mesh;
         set.restPose = mesh_.restPose;
         set.materials = mesh_.materials;
-        set.materials.push_back(interiorMaterial_);
+        const std::vector<uint32_t> interiorSlots = addInteriorMaterials(set.materials);
         const Hierarchy hierarchy = buildHierarchy(components_);
         assembleFragments(hierarchy, recipe_.physics, set);
         std::vector<BakeFinding>& findings = report().findings;
@@ -188,9 +199,10 @@ class Bake {
             const double tile = recipe_.interior.uvMetresPerTile > 0
                                     ? recipe_.interior.uvMetresPerTile
                                     : diagonal_ / 4;
-            assembleGeometry({mesh_, cut_.surface, components_, hierarchy, pieces_.faces, sheet_,
-                              static_cast<uint32_t>(mesh_.materials.size()), tile},
-                             set);
+            const HiddenMesh hidden =
+                hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces);
+            assembleGeometry(
+                {mesh_, cut_.surface, components_, hierarchy, hidden, interiorSlots, tile}, set);
         }
         {
             const StageTimer timer = stage("masses", 0.8);
@@ -236,7 +248,7 @@ class Bake {
     SurfaceMesh mesh_;  ///< a copy: vertices where solids touch are told apart
     const FracturePlan& plan_;
     const Recipe& recipe_;
-    int32_t interiorMaterial_;
+    const InteriorMaterials& interior_;
     const Progress& progress_;
     double diagonal_ = 0;
     double medialSeconds_ = 0;
@@ -251,9 +263,9 @@ class Bake {
 }  // namespace
 
 Result<BakedObject> bakeObject(const SurfaceMesh& mesh, const FracturePlan& plan,
-                               const Recipe& recipe, int32_t interiorMaterial,
+                               const Recipe& recipe, const InteriorMaterials& interior,
                                const Progress& progress) {
-    return Bake(mesh, plan, recipe, interiorMaterial, progress).run();
+    return Bake(mesh, plan, recipe, interior, progress).run();
 }
 
 }  // namespace sherd

@@ -151,6 +151,17 @@ bool readLevelColors(Reader& reader, const Json& json, const std::string& pointe
     return true;
 }
 
+bool readNames(Reader& reader, const Json& json, const std::string& pointer,
+               std::map<std::string, std::string>& names) {
+    if (!json.is_object())
+        return reader.wrong(pointer, "must be an object {\"outer material\": \"inner material\"}");
+    for (const auto& [key, value] : json.items()) {
+        if (!value.is_string()) return reader.wrong(pointer + "/" + key, "must be a string");
+        names[key] = value.get<std::string>();
+    }
+    return true;
+}
+
 bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                   InteriorSettings& interior) {
     std::string type;
@@ -160,6 +171,10 @@ bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                         {"preSmoothing", reader.integer(interior.preSmoothing, 0, 1000)},
                         {"postSmoothing", reader.integer(interior.postSmoothing, 0, 1000)},
                         {"material", reader.string(interior.material)},
+                        {"materials",
+                         [&](const Json& j, const std::string& p) {
+                             return readNames(reader, j, p, interior.materials);
+                         }},
                         {"uvMetresPerTile", reader.number(interior.uvMetresPerTile, 0, 1e9)}})) {
         return false;
     }
@@ -193,6 +208,7 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
                     name);
     }
     Recipe recipe;
+    recipe.file = name;
     Error error;
     std::string wrap;
     Reader reader(name, error);

@@ -44,27 +44,34 @@ class GeometryAssembler {
             }
             end();
         }
-        const auto faceRank = [&](uint32_t f) {
-            return in_.hierarchy.rankOfLeaf[in_.faces[f].leaf];
-        };
-        const std::vector<uint32_t> faceOrder = orderByRank(in_.faces.size(), faceRank);
-        for (uint32_t level = 1; level <= in_.components.levels; ++level) {
-            for (const bool sheet : {true, false}) {
-                begin(in_.interiorMaterial, level);
-                set_.geometry.primitives.back().sheet = sheet;
-                for (const uint32_t f : faceOrder) {
-                    const HiddenFace& face = in_.faces[f];
-                    if (face.exposedFrom == level && face.wall != sheet) {
-                        add(faceRank(f), hidden_.vertices(face));
-                    }
-                }
-                end();
-            }
-        }
+        addHidden();
         fillFragmentRanges();
     }
 
   private:
+    /// One primitive for every level, sheets and walls apart, and every material.
+    void addHidden() {
+        const std::vector<HiddenMesh::Face>& faces = in_.hidden.faces;
+        const auto rank = [&](uint32_t f) { return in_.hierarchy.rankOfLeaf[faces[f].leaf]; };
+        const std::vector<uint32_t> order = orderByRank(faces.size(), rank);
+        for (uint32_t level = 1; level <= in_.components.levels; ++level) {
+            for (const bool sheet : {true, false}) {
+                for (uint32_t m = static_cast<uint32_t>(in_.mesh.materials.size());
+                     m < set_.materials.size(); ++m) {
+                    begin(m, level);
+                    set_.geometry.primitives.back().sheet = sheet;
+                    for (const uint32_t f : order) {
+                        const HiddenMesh::Face& face = faces[f];
+                        if (face.exposedFrom == level && face.wall != sheet &&
+                            in_.interiorMaterials[face.material] == m)
+                            add(rank(f), hidden_.vertices(face));
+                    }
+                    end();
+                }
+            }
+        }
+    }
+
     void begin(uint32_t material, uint32_t exposedFrom) {
         Primitive primitive;
         primitive.material = material;

@@ -6,8 +6,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "appearance/hidden_mesh.h"
 #include "assembly/hierarchy.h"
-#include "interior/stitching.h"
 #include "sherd/baker/surface_mesh.h"
 #include "surface/split_surface.h"
 
@@ -18,9 +18,9 @@ struct AssemblyInput {
     const SplitSurface& surface;
     const Components& components;
     const Hierarchy& hierarchy;
-    std::span<const HiddenFace> faces;
-    const HiddenSheet& sheet;
-    uint32_t interiorMaterial;  ///< index into the set's materials
+    const HiddenMesh& hidden;
+    std::span<const uint32_t> interiorMaterials;  ///< per material of the mesh: the one below it,
+                                                  ///< as index into the set's materials
     double uvMetresPerTile;
 };
 

@@ -31,9 +31,9 @@ HiddenVertices::HiddenVertices(const AssemblyInput& input, FractureGeometry& out
     : in_(input),
       out_(out),
       sheetFaces_(input.components.leafCount),
-      sheet_(input.sheet.points.size()) {
-    for (uint32_t f = 0; f < in_.faces.size(); ++f) {
-        if (!in_.faces[f].wall) sheetFaces_[in_.faces[f].leaf].push_back(f);
+      sheet_(input.hidden.positions.size()) {
+    for (uint32_t f = 0; f < in_.hidden.faces.size(); ++f) {
+        if (!in_.hidden.faces[f].wall) sheetFaces_[in_.hidden.faces[f].leaf].push_back(f);
     }
 }
 
@@ -41,24 +41,21 @@ HiddenVertices::HiddenVertices(const AssemblyInput& input, FractureGeometry& out
 void HiddenVertices::beginSheet(uint32_t leaf) {
     sheetLeaf_ = leaf;
     for (const uint32_t f : sheetFaces_[leaf]) {
-        const auto& corners = in_.faces[f].corners;
-        const glm::dvec3 n =
-            areaNormal(position(corners[0]), position(corners[1]), position(corners[2]));
-        for (const CornerRef ref : corners) {
-            SheetVertex& vertex = sheet_[vertexOf(in_.surface, in_.sheet, ref)];
+        const auto& v = in_.hidden.faces[f].v;
+        const auto& p = in_.hidden.positions;
+        const glm::dvec3 n = areaNormal(p[v[0]], p[v[1]], p[v[2]]);
+        for (const uint32_t corner : v) {
+            SheetVertex& vertex = sheet_[corner];
             if (vertex.leaf != leaf) vertex = {leaf, glm::dvec3(0.0), {kNone, kNone, kNone}};
             vertex.normal += n;
         }
     }
 }
 
-glm::vec3 HiddenVertices::position(CornerRef ref) const {
-    return positionOf(in_.surface, in_.sheet, ref);
-}
-
-std::array<uint32_t, 3> HiddenVertices::vertices(const HiddenFace& face) {
-    const std::array<glm::vec3, 3> p{position(face.corners[0]), position(face.corners[1]),
-                                     position(face.corners[2])};
+std::array<uint32_t, 3> HiddenVertices::vertices(const HiddenMesh::Face& face) {
+    const auto& positions = in_.hidden.positions;
+    const std::array<glm::vec3, 3> p{positions[face.v[0]], positions[face.v[1]],
+                                     positions[face.v[2]]};
     const glm::dvec3 flat = areaNormal(p[0], p[1], p[2]);
     const int axis = mainAxis(flat);
     if (!face.wall && face.leaf != sheetLeaf_) beginSheet(face.leaf);
@@ -68,7 +65,7 @@ std::array<uint32_t, 3> HiddenVertices::vertices(const HiddenFace& face) {
             result[k] = newVertex(p[k], unit(flat, axis), axis);
             continue;
         }
-        SheetVertex& vertex = sheet_[vertexOf(in_.surface, in_.sheet, face.corners[k])];
+        SheetVertex& vertex = sheet_[face.v[k]];
         uint32_t& known = vertex.ofAxis[static_cast<size_t>(axis)];
         if (known == kNone) known = newVertex(p[k], unit(vertex.normal, axis), axis);
         result[k] = known;

@@ -13,10 +13,9 @@ class HiddenVertices {
 
     /// The three output vertices of a face. A leaf's sheet is asked for in one go: its vertices are
     /// shared only while no other leaf's sheet comes between.
-    std::array<uint32_t, 3> vertices(const HiddenFace& face);
+    std::array<uint32_t, 3> vertices(const HiddenMesh::Face& face);
 
   private:
-    glm::vec3 position(CornerRef ref) const;
     void beginSheet(uint32_t leaf);
     uint32_t newVertex(const glm::vec3& position, const glm::vec3& normal, int axis);
 
@@ -28,7 +27,7 @@ class HiddenVertices {
     const AssemblyInput& in_;
     FractureGeometry& out_;
     std::vector<std::vector<uint32_t>> sheetFaces_;  ///< per leaf
-    std::vector<SheetVertex> sheet_;                 ///< per vertex of the sheet
+    std::vector<SheetVertex> sheet_;                 ///< per hidden position
     uint32_t sheetLeaf_ = kNone;
 };
 

@@ -24,7 +24,8 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
         R"({ // a wall
             "levels": [{"map": "a.svg", "name": "chunks"}, {"map": "b.svg"}],
             "physics": {"density": 2400, "hullVertices": 24},
-            "interior": {"type": "medial", "thesis": true, "material": "stone"},
+            "interior": {"type": "medial", "thesis": true, "material": "stone",
+                         "materials": {"paint": "brick"}},
             "allowOpen": true })",
         "r.json");
     REQUIRE(recipe.has_value());
@@ -34,6 +35,8 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
     CHECK(recipe->physics.hullVertices == 24);
     CHECK(recipe->interior.thesis);
     CHECK(recipe->interior.material == "stone");
+    CHECK(recipe->interior.materials.at("paint") == "brick");
+    CHECK(recipe->file == "r.json");
     CHECK(recipe->allowOpen);
 }
 
@@ -49,6 +52,9 @@ TEST_CASE("a bad recipe is refused with the pointer of the culprit and what woul
     CHECK(errorOf(R"({"levels": []})").where == "r.json#/levels");
     CHECK(errorOf(R"({"levels": [{"name": "x"}]})").where == "r.json#/levels/0");
     CHECK(errorOf(R"({"interior": {"type": "jelly"}})").where == "r.json#/interior/type");
+    CHECK(errorOf(R"({"interior": {"materials": {"paint": 1}}})").where ==
+          "r.json#/interior/materials/paint");
+    CHECK(errorOf(R"({"interior": {"materials": []}})").where == "r.json#/interior/materials");
 }
 
 TEST_CASE("a recipe that is not there is said to be missing") {

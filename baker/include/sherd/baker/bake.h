@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "sherd/baker/fracture_plan.h"
@@ -17,8 +19,23 @@ namespace sherd {
 /// Called as stages begin, possibly from another thread than the caller's; share is 0..1.
 using Progress = std::function<void(const std::string& stage, double share)>;
 
+/// The materials of hidden faces, as glTF indices; -1 is the default material.
+struct InteriorMaterials {
+    InteriorMaterials() = default;
+    /// One for all.
+    InteriorMaterials(int32_t all) : other(all) {}
+
+    std::map<int32_t, int32_t> below;  ///< material of the outer surface -> of what lies below it
+    int32_t other = -1;                ///< below all other materials
+
+    int32_t under(int32_t outer) const {
+        const auto it = below.find(outer);
+        return it == below.end() ? other : it->second;
+    }
+};
+
 struct BakedObject {
-    /// Materials are glTF indices; the last one, of hidden faces, is `interiorMaterial`.
+    /// Materials are glTF indices: those of the mesh, then those of hidden faces.
     FractureSet set;
     BakedObjectReport report;
 };
@@ -26,12 +43,11 @@ struct BakedObject {
 /// Cuts one mesh along the lines of a plan (each says from which level it cuts), level by level,
 /// into closed fragments with hulls, masses and bonds.
 ///
-/// interiorMaterial: glTF index that hidden faces get.
 /// Errors: noTextureCoordinates, limitExceeded, openMesh, nonManifoldMesh (unless allowOpen),
 /// emptyMap, separatesNothing, notClosed, invalidData (inside out). Casella, Artist-Driven
 /// Fracturing of Polyhedral Surface Meshes, 2013.
 Result<BakedObject> bakeObject(const SurfaceMesh& mesh, const FracturePlan& plan,
-                               const Recipe& recipe, int32_t interiorMaterial,
+                               const Recipe& recipe, const InteriorMaterials& interior,
                                const Progress& progress = {});
 
 struct BakedFile {
@@ -40,7 +56,8 @@ struct BakedFile {
 };
 
 /// Bakes every mesh of a model along the same plan and hangs the fracture sets on the model's
-/// document. Hidden faces get the recipe's interior material, or a neutral one that is added.
+/// document. Hidden faces get the recipe's interior materials, or a neutral one that is added.
+/// Errors also: badArgument for materials that the model has not.
 Result<BakedFile> bakeModel(const Model& model, const FracturePlan& plan, const Recipe& recipe,
                             const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,8 @@ struct InteriorSettings {
     int preSmoothing = 12;  ///< 0..1000 steps before the medial surface is sought
     int postSmoothing = 0;  ///< 0..1000 steps on the medial surface; each loses volume
     std::string material;   ///< name of a material of the model; empty: a neutral one is added
+    /// By name, for faces below a material of the outer surface; `material` below all others.
+    std::map<std::string, std::string> materials;
     double uvMetresPerTile =
         0;  ///< size of one texture tile on hidden faces; 0: a quarter of the diagonal
 };
@@ -64,6 +67,7 @@ struct RecipeLevel {
 
 /// Everything a bake can be told. Defaults are the command line's.
 struct Recipe {
+    std::string file;                 ///< where it was read from, for messages; empty: nowhere
     std::vector<RecipeLevel> levels;  ///< coarse to fine; empty: the maps given on the command line
     InteriorSettings interior;
     PhysicsSettings physics;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "appearance/hidden_mesh.h"
+
+namespace sherd {
+
+HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
+                      const Components& components, const HiddenSheet& sheet,
+                      std::span<const HiddenFace> faces) {
+    HiddenMesh result;
+    result.positions = surface.positions;
+    result.skinVertices = static_cast<uint32_t>(surface.positions.size());
+    result.positions.insert(result.positions.end(), sheet.points.begin(), sheet.points.end());
+    result.faces.reserve(faces.size());
+    for (const HiddenFace& face : faces) {
+        HiddenMesh::Face out{};
+        for (size_t k = 0; k < 3; ++k) {
+            const CornerRef ref = face.corners[k];
+            out.v[k] = vertexOf(surface, sheet, ref) + (ref.hidden != 0 ? result.skinVertices : 0);
+        }
+        // All corners of a face hang from one outer triangle.
+        const CornerRef any = face.corners[0];
+        const uint32_t above =
+            any.hidden != 0 ? sheet.triangles[any.corner / 3].parent : any.corner / 3;
+        out.leaf = face.leaf;
+        out.exposedFrom = face.exposedFrom;
+        out.fragment = components.at(face.exposedFrom, face.leaf);
+        out.material = mesh.triangleMaterials[surface.triangles[above].source];
+        out.wall = face.wall;
+        result.faces.push_back(out);
+    }
+    return result;
+}
+
+}  // namespace sherd

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The hidden faces of all leaves as one indexed mesh: what their appearance is worked out on.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "interior/stitching.h"
+#include "sherd/baker/surface_mesh.h"
+
+namespace sherd {
+
+struct HiddenMesh {
+    struct Face {
+        std::array<uint32_t, 3> v;  ///< into positions
+        uint32_t leaf;
+        uint32_t exposedFrom;  ///< level
+        uint32_t fragment;  ///< the leaf's component at that level: the largest piece that shows it
+        uint32_t material;  ///< of the outer surface it lies under, into SurfaceMesh::materials
+        bool wall;
+    };
+    std::vector<glm::vec3> positions;
+    uint32_t skinVertices = 0;  ///< positions below lie on the outer surface; they never move
+    std::vector<Face> faces;
+};
+
+/// Vertices [0, split vertices) are the split surface's, the sheet's hidden points follow.
+HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
+                      const Components& components, const HiddenSheet& sheet,
+                      std::span<const HiddenFace> faces);
+
+}  // namespace sherd
