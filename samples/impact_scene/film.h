@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "model_view.h"
-#include "picture_files.h"
+#include "picture.h"
 #include "scene_renderer.h"
 #include "shot.h"
+#include "video_writer.h"
 
 namespace sherd::samples {
 

@@ -11,11 +11,12 @@
 #include "film.h"
 #include "model_view.h"
 #include "offscreen_context.h"
-#include "picture_files.h"
+#include "picture.h"
 #include "scene_renderer.h"
 #include "sherd/formats/gltf_document.h"
 #include "sherd/runtime/asset.h"
 #include "shot.h"
+#include "video_writer.h"
 
 namespace {
 

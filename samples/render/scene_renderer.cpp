@@ -30,6 +30,13 @@ const void* bufferOffset(size_t bytes) {
 
 }  // namespace
 
+glm::mat4 viewProjection(const SceneFrame& frame, float aspect) {
+    const float distance = glm::distance(frame.eye, frame.focus);
+    return glm::perspective(glm::radians(frame.fieldOfView), aspect, 0.02F * distance,
+                            40 * distance) *
+           glm::lookAt(frame.eye, frame.target, {0, 1, 0});
+}
+
 class SceneRenderer::Impl {
   public:
     Impl(const RendererOptions& options, GlProgram surface, GlProgram shadow, GlProgram sky,
@@ -38,11 +45,12 @@ class SceneRenderer::Impl {
           shadow_(std::move(shadow)),
           sky_(std::move(sky)),
           smooth_(std::move(smooth)),
-          target_(options.width, options.height),
+          target_(options.width * options.samples, options.height * options.samples),
           smoothed_(options.width, options.height),
           shadowMap_(options.shadowSize),
-          width_(options.width),
-          height_(options.height) {
+          samples_(options.samples),
+          width_(options.width * options.samples),
+          height_(options.height * options.samples) {
         glGenVertexArrays(1, &noVertices_);
         const std::array<uint8_t, 3> white{255, 255, 255};
         whiteTexture_ = upload(1, 1, white.data());
@@ -110,8 +118,9 @@ class SceneRenderer::Impl {
         glEnable(GL_DEPTH_TEST);
         drawShadows(frame, shadow);
         drawPicture(frame, shadow);
+        if (samples_ > 1) return shrink(readBack(target_), width_ / samples_);
         smoothEdges();
-        return readBack();
+        return readBack(smoothed_);
     }
 
   private:
@@ -156,17 +165,13 @@ class SceneRenderer::Impl {
     }
 
     void drawPicture(const SceneFrame& frame, const glm::mat4& shadow) const {
-        const float distance = glm::distance(frame.eye, frame.focus);
-        const glm::mat4 viewProjection =
-            glm::perspective(glm::radians(frame.fieldOfView), float(width_) / float(height_),
-                             0.02F * distance, 40 * distance) *
-            glm::lookAt(frame.eye, frame.target, {0, 1, 0});
+        const glm::mat4 camera = viewProjection(frame, float(width_) / float(height_));
         glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer());
         glViewport(0, 0, static_cast<GLsizei>(width_), static_cast<GLsizei>(height_));
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        drawSky(frame, viewProjection);
+        drawSky(frame, camera);
         surface_.use();
-        surface_.set("uViewProjection", viewProjection);
+        surface_.set("uViewProjection", camera);
         surface_.set("uShadow", shadow);
         surface_.set("uEye", frame.eye);
         surface_.set("uSun", glm::normalize(frame.sun));
@@ -178,13 +183,13 @@ class SceneRenderer::Impl {
         glBindTexture(GL_TEXTURE_2D, shadowMap_.texture());
         glActiveTexture(GL_TEXTURE0);
         drawSurfaces(frame);
-        drawFloor(frame, 7 * distance);
+        drawFloor(frame, 7 * glm::distance(frame.eye, frame.focus));
     }
 
-    void drawSky(const SceneFrame& frame, const glm::mat4& viewProjection) const {
+    void drawSky(const SceneFrame& frame, const glm::mat4& camera) const {
         glDisable(GL_DEPTH_TEST);
         sky_.use();
-        sky_.set("uInverseViewProjection", glm::inverse(viewProjection));
+        sky_.set("uInverseViewProjection", glm::inverse(camera));
         sky_.set("uEye", frame.eye);
         glBindVertexArray(noVertices_);
         glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -236,10 +241,10 @@ class SceneRenderer::Impl {
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
-    [[nodiscard]] Picture readBack() const {
+    [[nodiscard]] Picture readBack(const GlTarget& from) const {
         const auto w = static_cast<GLint>(width_);
         const auto h = static_cast<GLint>(height_);
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, smoothed_.framebuffer());
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         const size_t row = size_t{3} * width_;
         std::vector<uint8_t> upsideDown(row * height_);
@@ -254,7 +259,8 @@ class SceneRenderer::Impl {
     GlProgram surface_, shadow_, sky_, smooth_;
     GlTarget target_, smoothed_;
     GlShadowMap shadowMap_;
-    uint32_t width_, height_;
+    uint32_t samples_;
+    uint32_t width_, height_;  ///< in samples
     GLuint noVertices_ = 0;
     GLuint whiteTexture_ = 0;
     uint32_t floor_ = 0;

@@ -10,16 +10,10 @@
 #include <span>
 #include <vector>
 
+#include "picture.h"
 #include "sherd/formats/result.h"
 
 namespace sherd::samples {
-
-/// 8-bit RGB, rows from the top.
-struct Picture {
-    uint32_t width = 0;
-    uint32_t height = 0;
-    std::vector<uint8_t> pixels;
-};
 
 struct RenderVertex {
     glm::vec3 position{0.0F};
@@ -59,7 +53,13 @@ struct RendererOptions {
     uint32_t width = 640;        ///< pixels
     uint32_t height = 360;       ///< pixels
     uint32_t shadowSize = 1024;  ///< texels across the shadow map
+    /// Samples per pixel and axis. At 1, edges are smoothed by a cheap filter that looks a few
+    /// pixels around; above, a pixel is the mean of its own samples and of nothing else.
+    uint32_t samples = 1;
 };
+
+/// From the world to clip space, for pictures of `aspect` (width / height).
+glm::mat4 viewProjection(const SceneFrame& frame, float aspect);
 
 /// Draws into a framebuffer object of the current OpenGL 3.3 context, which must outlive it.
 class SceneRenderer {

@@ -5,20 +5,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <span>
 
-#include "scene_renderer.h"
+#include "picture.h"
 #include "sherd/formats/result.h"
 
 namespace sherd::samples {
-
-/// The picture at `width` pixels, each the mean of what it covers.
-Picture shrink(const Picture& picture, uint32_t width);
-
-/// Pictures of one size in rows of `columns`, with a thin margin.
-Picture contactSheet(std::span<const Picture> pictures, uint32_t columns);
-
-Result<void> writePng(const std::filesystem::path& path, const Picture& picture);
 
 /// An MP4 written by the `ffmpeg` command, fed raw pictures. Unless finished, no file is left.
 class VideoWriter {
