@@ -6,7 +6,7 @@
 #include <chrono>
 #include <future>
 
-#include "appearance/hidden_mesh.h"
+#include "appearance/hidden_looks.h"
 #include "assembly/geometry.h"
 #include "assembly/labels.h"
 #include "assembly/physics.h"
@@ -46,6 +46,7 @@ class Bake {
         if (auto ok = judgeMerged(components_, cut_, pieces_, report()); !ok) {
             return tl::unexpected(ok.error());
         }
+        beginLooks();
         if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());
         assemble();
         return judgeFragments();
@@ -143,6 +144,27 @@ class Bake {
         reportPieces(mesh_, small, pieces_, report());
     }
 
+    /// How hidden faces look is worked out beside the proofs; assemble() waits for it.
+    void beginLooks() {
+        // Textures of smaller tiles are grey, and their coordinates have no digits left.
+        const double least = 1e-6 * diagonal_;
+        double tile = recipe_.interior.uvMetresPerTile;
+        if (tile > 0 && tile < least) {
+            report().findings.push_back(
+                {"tile-size",
+                 "uvMetresPerTile is below a millionth of the object's size; a "
+                 "millionth was taken",
+                 "", 1});
+        }
+        tile = tile > 0 ? std::max(tile, least) : diagonal_ / 4;
+        looks_ = std::async(
+            recipe_.threads > 1 ? std::launch::async : std::launch::deferred, [this, tile] {
+                return hiddenLooks(
+                    hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces),
+                    recipe_.interior, tile);
+            });
+    }
+
     /// Every fragment of every level, over vertex ids; over positions it is proven after assembly.
     Result<void> proveClosed() {
         const StageTimer timer = stage("proving closed", 0.7);
@@ -196,13 +218,9 @@ class Bake {
         }
         {
             const StageTimer timer = stage("geometry", 0.75);
-            const double tile = recipe_.interior.uvMetresPerTile > 0
-                                    ? recipe_.interior.uvMetresPerTile
-                                    : diagonal_ / 4;
-            const HiddenMesh hidden =
-                hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces);
-            assembleGeometry(
-                {mesh_, cut_.surface, components_, hierarchy, hidden, interiorSlots, tile}, set);
+            const HiddenLooks looks = looks_.get();
+            assembleGeometry({mesh_, cut_.surface, components_, hierarchy, looks, interiorSlots},
+                             set);
         }
         {
             const StageTimer timer = stage("masses", 0.8);
@@ -257,6 +275,7 @@ class Bake {
     Components components_;
     HiddenSheet sheet_;
     MendedPieces pieces_;
+    std::future<HiddenLooks> looks_;
     BakedObject result_;
 };
 

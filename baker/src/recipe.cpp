@@ -77,6 +77,16 @@ class Reader {
         };
     }
 
+    /// One of two words; the second one is true.
+    Field choice(bool& target, const std::string& no, const std::string& yes) {
+        return [this, &target, no, yes](const Json& json, const std::string& pointer) {
+            if (json != no && json != yes)
+                return wrong(pointer, "must be \"" + no + "\" or \"" + yes + "\"");
+            target = json == yes;
+            return true;
+        };
+    }
+
     bool wrong(const std::string& pointer, const std::string& what) {
         error_ = {ErrorCode::invalidData,
                   "\"" + pointer.substr(pointer.rfind('/') + 1) + "\" " + what,
@@ -165,6 +175,7 @@ bool readNames(Reader& reader, const Json& json, const std::string& pointer,
 bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                   InteriorSettings& interior) {
     std::string type;
+    bool flat = false;
     if (!reader.object(json, pointer,
                        {{"type", reader.string(type)},
                         {"thesis", reader.boolean(interior.thesis)},
@@ -175,9 +186,12 @@ bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                          [&](const Json& j, const std::string& p) {
                              return readNames(reader, j, p, interior.materials);
                          }},
+                        {"normals", reader.choice(flat, "smooth", "flat")},
+                        {"creaseAngle", reader.number(interior.creaseAngle, 0, 180)},
                         {"uvMetresPerTile", reader.number(interior.uvMetresPerTile, 0, 1e9)}})) {
         return false;
     }
+    interior.normals = flat ? InteriorNormals::flat : InteriorNormals::smooth;
     if (type.empty()) return true;
     const Result<InteriorType> parsed = parseInteriorType(type);
     if (!parsed) return reader.wrong(pointer + "/type", ": " + parsed.error().message);

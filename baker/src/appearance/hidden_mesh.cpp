@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "appearance/hidden_mesh.h"
 
+#include <glm/geometric.hpp>
+
 namespace sherd {
 
 HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
@@ -29,6 +31,21 @@ HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
         result.faces.push_back(out);
     }
     return result;
+}
+
+FaceShapes faceShapes(const HiddenMesh& mesh) {
+    FaceShapes shapes;
+    shapes.normals.reserve(mesh.faces.size());
+    shapes.areas.reserve(mesh.faces.size());
+    for (const HiddenMesh::Face& face : mesh.faces) {
+        const glm::dvec3 a = mesh.positions[face.v[0]];
+        const glm::dvec3 n = glm::cross(glm::dvec3(mesh.positions[face.v[1]]) - a,
+                                        glm::dvec3(mesh.positions[face.v[2]]) - a);
+        const double length = glm::length(n);
+        shapes.normals.push_back(length > 0 ? n / length : glm::dvec3(0.0));
+        shapes.areas.push_back(length > 0 ? 0.5 * length : 0);
+    }
+    return shapes;
 }
 
 }  // namespace sherd

@@ -32,4 +32,11 @@ HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
                       const Components& components, const HiddenSheet& sheet,
                       std::span<const HiddenFace> faces);
 
+/// The shapes of its faces.
+struct FaceShapes {
+    std::vector<glm::dvec3> normals;  ///< unit; 0 for faces without area
+    std::vector<double> areas;        ///< square metres
+};
+FaceShapes faceShapes(const HiddenMesh& mesh);
+
 }  // namespace sherd

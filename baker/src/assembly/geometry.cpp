@@ -26,7 +26,7 @@ class GeometryAssembler {
         : in_(input),
           set_(set),
           outer_(input.mesh, input.surface, set.geometry),
-          hidden_(input, set.geometry) {}
+          hidden_(input.hidden, set.geometry) {}
 
     void run() {
         const auto& surface = in_.surface;
@@ -51,7 +51,7 @@ class GeometryAssembler {
   private:
     /// One primitive for every level, sheets and walls apart, and every material.
     void addHidden() {
-        const std::vector<HiddenMesh::Face>& faces = in_.hidden.faces;
+        const std::vector<HiddenMesh::Face>& faces = in_.hidden.mesh.faces;
         const auto rank = [&](uint32_t f) { return in_.hierarchy.rankOfLeaf[faces[f].leaf]; };
         const std::vector<uint32_t> order = orderByRank(faces.size(), rank);
         for (uint32_t level = 1; level <= in_.components.levels; ++level) {
@@ -64,7 +64,7 @@ class GeometryAssembler {
                         const HiddenMesh::Face& face = faces[f];
                         if (face.exposedFrom == level && face.wall != sheet &&
                             in_.interiorMaterials[face.material] == m)
-                            add(rank(f), hidden_.vertices(face));
+                            add(rank(f), hidden_.vertices(f));
                     }
                     end();
                 }

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "appearance/hidden_mesh.h"
+#include "appearance/hidden_looks.h"
 #include "assembly/hierarchy.h"
 #include "sherd/baker/surface_mesh.h"
 #include "surface/split_surface.h"
@@ -18,10 +18,9 @@ struct AssemblyInput {
     const SplitSurface& surface;
     const Components& components;
     const Hierarchy& hierarchy;
-    const HiddenMesh& hidden;
+    const HiddenLooks& hidden;
     std::span<const uint32_t> interiorMaterials;  ///< per material of the mesh: the one below it,
                                                   ///< as index into the set's materials
-    double uvMetresPerTile;
 };
 
 /// Fills `geometry` and `fragmentRanges` of the set.

@@ -25,7 +25,8 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
             "levels": [{"map": "a.svg", "name": "chunks"}, {"map": "b.svg"}],
             "physics": {"density": 2400, "hullVertices": 24},
             "interior": {"type": "medial", "thesis": true, "material": "stone",
-                         "materials": {"paint": "brick"}},
+                         "materials": {"paint": "brick"}, "normals": "flat",
+                         "creaseAngle": 30},
             "allowOpen": true })",
         "r.json");
     REQUIRE(recipe.has_value());
@@ -36,6 +37,8 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
     CHECK(recipe->interior.thesis);
     CHECK(recipe->interior.material == "stone");
     CHECK(recipe->interior.materials.at("paint") == "brick");
+    CHECK(recipe->interior.normals == InteriorNormals::flat);
+    CHECK(recipe->interior.creaseAngle == 30);
     CHECK(recipe->file == "r.json");
     CHECK(recipe->allowOpen);
 }
@@ -54,6 +57,7 @@ TEST_CASE("a bad recipe is refused with the pointer of the culprit and what woul
     CHECK(errorOf(R"({"interior": {"type": "jelly"}})").where == "r.json#/interior/type");
     CHECK(errorOf(R"({"interior": {"materials": {"paint": 1}}})").where ==
           "r.json#/interior/materials/paint");
+    CHECK(errorOf(R"({"interior": {"normals": "round"}})").where == "r.json#/interior/normals");
     CHECK(errorOf(R"({"interior": {"materials": []}})").where == "r.json#/interior/materials");
 }
 

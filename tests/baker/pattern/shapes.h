@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sherd/baker/pattern.h"
+#include "support/pattern_plans.h"
 #include "support/surface_meshes.h"
 #include "surface/components.h"
 #include "surface/cut_surface.h"
@@ -128,20 +129,6 @@ inline SurfaceMesh together(const std::vector<SurfaceMesh>& parts) {
         }
     }
     return mesh;
-}
-
-inline Pattern pattern(const std::string& text) {
-    const Result<Pattern> parsed = parsePattern(text);
-    if (!parsed) FAIL(parsed.error().message);
-    return *parsed;
-}
-
-/// A pattern per level, from level 1 on.
-inline FracturePlan patterns(const std::vector<std::string>& texts) {
-    FracturePlan plan;
-    for (const std::string& text : texts)
-        plan.patterns.push_back({pattern(text), static_cast<uint32_t>(plan.patterns.size() + 1)});
-    return plan;
 }
 
 struct Grown {

@@ -24,6 +24,11 @@ enum class InteriorType : uint8_t {
     solid    ///< cut through to the far side, no sheet (thesis 6.3.2); medial where that fails
 };
 
+enum class InteriorNormals : uint8_t {
+    smooth,  ///< sheets are rounded up to the crease angle, walls are flat
+    flat     ///< every face is
+};
+
 /// How pieces look inside.
 struct InteriorSettings {
     InteriorType type = InteriorType::medial;
@@ -36,6 +41,8 @@ struct InteriorSettings {
     std::map<std::string, std::string> materials;
     double uvMetresPerTile =
         0;  ///< size of one texture tile on hidden faces; 0: a quarter of the diagonal
+    InteriorNormals normals = InteriorNormals::smooth;
+    double creaseAngle = 60;  ///< degrees, 0..180: edges of sheets at a larger angle stay sharp
 };
 
 struct PhysicsSettings {

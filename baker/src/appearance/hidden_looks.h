@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Everything a renderer needs of hidden faces. Corners that agree in place, normal and chart share
+// a vertex, whatever the level that shows them: a face looks the same at every level.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "appearance/hidden_mesh.h"
+#include "sherd/baker/recipe.h"
+
+namespace sherd {
+
+struct HiddenLooks {
+    struct Vertex {
+        uint32_t position;        ///< in the mesh
+        glm::vec3 normal;         ///< unit
+        glm::vec2 uv;             ///< tiles
+        glm::vec3 tangent{0.0F};  ///< unit, along u; the handedness is 1 everywhere
+    };
+    HiddenMesh mesh;
+    std::vector<Vertex> vertices;
+    std::vector<uint32_t> ofCorner;  ///< per corner 3 * face + k
+};
+
+/// metresPerTile: the size of a texture tile.
+HiddenLooks hiddenLooks(HiddenMesh mesh, const InteriorSettings& settings, double metresPerTile);
+
+}  // namespace sherd
