@@ -160,7 +160,7 @@ class Bake {
         looks_ = std::async(
             recipe_.threads > 1 ? std::launch::async : std::launch::deferred, [this, tile] {
                 return hiddenLooks(
-                    hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces),
+                    hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces), mesh_,
                     recipe_.interior, tile);
             });
     }
@@ -219,7 +219,8 @@ class Bake {
         {
             const StageTimer timer = stage("geometry", 0.75);
             const HiddenLooks looks = looks_.get();
-            assembleGeometry({mesh_, cut_.surface, components_, hierarchy, looks, interiorSlots},
+            assembleGeometry({mesh_, cut_.surface, components_, hierarchy, looks, interiorSlots,
+                              recipe_.interior},
                              set);
         }
         {

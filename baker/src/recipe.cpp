@@ -172,6 +172,28 @@ bool readNames(Reader& reader, const Json& json, const std::string& pointer,
     return true;
 }
 
+/// true, false, or the name of an attribute.
+bool readDepthColor(Reader& reader, const Json& json, const std::string& pointer,
+                    std::string& semantic) {
+    if (json.is_boolean()) {
+        semantic = json.get<bool>() ? "COLOR_0" : "";
+        return true;
+    }
+    const std::string name = json.is_string() ? json.get<std::string>() : "";
+    const bool color =
+        name.size() == 7 && name.starts_with("COLOR_") && name[6] >= '0' && name[6] <= '9';
+    const bool custom =
+        name.size() > 1 && name[0] == '_' &&
+        name.find_first_not_of("_ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789") == std::string::npos;
+    if (!color && !custom) {
+        return reader.wrong(pointer,
+                            "must be true, false, \"COLOR_0\" to \"COLOR_9\", or the name of an "
+                            "attribute like \"_DEPTH\"");
+    }
+    semantic = name;
+    return true;
+}
+
 bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                   InteriorSettings& interior) {
     std::string type;
@@ -187,6 +209,10 @@ bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                              return readNames(reader, j, p, interior.materials);
                          }},
                         {"normals", reader.choice(flat, "smooth", "flat")},
+                        {"depthColor",
+                         [&](const Json& j, const std::string& p) {
+                             return readDepthColor(reader, j, p, interior.depthColor);
+                         }},
                         {"creaseAngle", reader.number(interior.creaseAngle, 0, 180)},
                         {"uvMetresPerTile", reader.number(interior.uvMetresPerTile, 0, 1e9)}})) {
         return false;

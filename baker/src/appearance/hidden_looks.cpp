@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "appearance/hidden_looks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "appearance/depths.h"
 #include "appearance/hidden_edges.h"
 #include "appearance/shading_fans.h"
 #include "appearance/texture_charts.h"
@@ -20,6 +22,16 @@ glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& n) {
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+std::vector<float> depthShares(const std::vector<double>& depths) {
+    double deepest = 0;
+    for (const double depth : depths) deepest = std::max(deepest, depth);
+    std::vector<float> shares;
+    shares.reserve(depths.size());
+    for (const double depth : depths)
+        shares.push_back(deepest > 0 ? static_cast<float>(depth / deepest) : 0.0F);
+    return shares;
 }
 
 class LookMaker {
@@ -102,8 +114,14 @@ class LookMaker {
 
 }  // namespace
 
-HiddenLooks hiddenLooks(HiddenMesh mesh, const InteriorSettings& settings, double metresPerTile) {
-    return LookMaker(std::move(mesh), settings, metresPerTile).run();
+HiddenLooks hiddenLooks(HiddenMesh mesh, const SurfaceMesh& object,
+                        const InteriorSettings& settings, double metresPerTile) {
+    HiddenLooks looks = LookMaker(std::move(mesh), settings, metresPerTile).run();
+    if (!settings.depthColor.empty()) {
+        looks.depths =
+            depthShares(hiddenDepths(looks.mesh, TriangleBvh(object.positions, object.triangles)));
+    }
+    return looks;
 }
 
 }  // namespace sherd

@@ -20,9 +20,12 @@ struct HiddenLooks {
     HiddenMesh mesh;
     std::vector<Vertex> vertices;
     std::vector<uint32_t> ofCorner;  ///< per corner 3 * face + k
+    std::vector<float> depths;  ///< per position of the mesh: the share of the deepest one; empty
+                                ///< if nobody asks
 };
 
-/// metresPerTile: the size of a texture tile.
-HiddenLooks hiddenLooks(HiddenMesh mesh, const InteriorSettings& settings, double metresPerTile);
+/// `object` is the mesh before cutting, metresPerTile the size of a texture tile.
+HiddenLooks hiddenLooks(HiddenMesh mesh, const SurfaceMesh& object,
+                        const InteriorSettings& settings, double metresPerTile);
 
 }  // namespace sherd

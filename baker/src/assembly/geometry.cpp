@@ -26,7 +26,7 @@ class GeometryAssembler {
         : in_(input),
           set_(set),
           outer_(input.mesh, input.surface, set.geometry),
-          hidden_(input.hidden, set.geometry) {}
+          hidden_(input.hidden, input.settings.depthColor, set.geometry) {}
 
     void run() {
         const auto& surface = in_.surface;
@@ -44,11 +44,35 @@ class GeometryAssembler {
             }
             end();
         }
+        addAttributes();
         addHidden();
         fillFragmentRanges();
     }
 
   private:
+    /// Attributes that only hidden faces need; on the surface they change nothing.
+    void addAttributes() {
+        const std::string& depth = in_.settings.depthColor;
+        if (depth.starts_with("COLOR_")) {
+            // glTF counts colours without gaps.
+            for (char n = '0'; n <= depth.back(); ++n)
+                addAttribute(std::string("COLOR_") + n, 4, 1.0F);
+        } else if (!depth.empty()) {
+            addAttribute(depth, 1, 0.0F);
+        }
+        // A material chosen for the inside may have textures where that of the surface has none.
+        if (!in_.settings.material.empty() || !in_.settings.materials.empty())
+            addAttribute("TEXCOORD_0", 2, 0.0F);
+    }
+
+    void addAttribute(const std::string& semantic, uint32_t components, float onSurface) {
+        FractureGeometry& out = set_.geometry;
+        for (const Attribute& known : out.attributes)
+            if (known.semantic == semantic) return;
+        out.attributes.push_back(
+            {semantic, components, std::vector(out.positions.size() * components, onSurface)});
+    }
+
     /// One primitive for every level, sheets and walls apart, and every material.
     void addHidden() {
         const std::vector<HiddenMesh::Face>& faces = in_.hidden.mesh.faces;

@@ -8,6 +8,7 @@
 
 #include "appearance/hidden_looks.h"
 #include "assembly/hierarchy.h"
+#include "sherd/baker/recipe.h"
 #include "sherd/baker/surface_mesh.h"
 #include "surface/split_surface.h"
 
@@ -21,6 +22,7 @@ struct AssemblyInput {
     const HiddenLooks& hidden;
     std::span<const uint32_t> interiorMaterials;  ///< per material of the mesh: the one below it,
                                                   ///< as index into the set's materials
+    const InteriorSettings& settings;
 };
 
 /// Fills `geometry` and `fragmentRanges` of the set.

@@ -3,8 +3,12 @@
 
 namespace sherd {
 
-HiddenVertices::HiddenVertices(const HiddenLooks& looks, FractureGeometry& out)
-    : looks_(looks), out_(out), made_(looks.vertices.size(), kNone) {}
+HiddenVertices::HiddenVertices(const HiddenLooks& looks, std::string depthAttribute,
+                               FractureGeometry& out)
+    : looks_(looks),
+      depthAttribute_(std::move(depthAttribute)),
+      out_(out),
+      made_(looks.vertices.size(), kNone) {}
 
 std::array<uint32_t, 3> HiddenVertices::vertices(uint32_t face) {
     std::array<uint32_t, 3> result{};
@@ -29,8 +33,11 @@ uint32_t HiddenVertices::newVertex(const HiddenLooks::Vertex& vertex) {
         } else if (attribute.semantic.starts_with("TEXCOORD_")) {
             values.insert(values.end(), {vertex.uv.x, vertex.uv.y});
         } else {
-            const float value = attribute.semantic.starts_with("COLOR_") ? 1.0F : 0.0F;
+            const bool color = attribute.semantic.starts_with("COLOR_");
+            const bool depth = attribute.semantic == depthAttribute_;
+            const float value = depth ? looks_.depths[vertex.position] : (color ? 1.0F : 0.0F);
             values.insert(values.end(), attribute.components, value);
+            if (color && attribute.components == 4) values.back() = 1;  // opaque
         }
     }
     out_.positions.push_back(looks_.mesh.positions[vertex.position]);

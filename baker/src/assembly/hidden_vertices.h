@@ -9,7 +9,7 @@ namespace sherd {
 
 class HiddenVertices {
   public:
-    HiddenVertices(const HiddenLooks& looks, FractureGeometry& out);
+    HiddenVertices(const HiddenLooks& looks, std::string depthAttribute, FractureGeometry& out);
 
     /// The three output vertices of a face of the hidden mesh; made when first asked for.
     std::array<uint32_t, 3> vertices(uint32_t face);
@@ -18,6 +18,7 @@ class HiddenVertices {
     uint32_t newVertex(const HiddenLooks::Vertex& vertex);
 
     const HiddenLooks& looks_;
+    std::string depthAttribute_;
     FractureGeometry& out_;
     std::vector<uint32_t> made_;  ///< per vertex of the looks
 };

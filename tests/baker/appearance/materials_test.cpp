@@ -5,6 +5,8 @@
 #include <set>
 
 #include "support/baked_set.h"
+#include "support/hidden_looks.h"
+#include "support/pattern_plans.h"
 #include "support/plans.h"
 #include "support/surface_meshes.h"
 
@@ -129,4 +131,16 @@ TEST_CASE("an unknown material is refused with its place in the recipe and the n
     CHECK(outer.message.find("a/b~c") != std::string::npos);
     CHECK(errorOf(withMaterials({}, "wool")).where == "r.json#/interior/material");
     CHECK(errorOf(withMaterials({{"", "rust"}})).code == ErrorCode::badArgument);
+}
+
+TEST_CASE("a mesh without texture coordinates gets them for a material chosen for its inside") {
+    SurfaceMesh mesh = twoMaterials();
+    mesh.uvSemantic.clear();
+    mesh.attributes.pop_back();
+    const FracturePlan plan = patterns({"voronoi:5"});
+    const Model model = modelAround(mesh, kNames);
+    CHECK(attributeOf(writtenSet(model, plan), "TEXCOORD_0") == nullptr);
+    const FractureSet set = writtenSet(model, plan, withMaterials({}, "brick"));
+    REQUIRE(attributeOf(set, "TEXCOORD_0") != nullptr);
+    CHECK(texelDensity(set, 1e-10).byArea < 1.5);
 }

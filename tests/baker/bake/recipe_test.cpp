@@ -26,7 +26,7 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
             "physics": {"density": 2400, "hullVertices": 24},
             "interior": {"type": "medial", "thesis": true, "material": "stone",
                          "materials": {"paint": "brick"}, "normals": "flat",
-                         "creaseAngle": 30},
+                         "creaseAngle": 30, "depthColor": true},
             "allowOpen": true })",
         "r.json");
     REQUIRE(recipe.has_value());
@@ -39,6 +39,10 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
     CHECK(recipe->interior.materials.at("paint") == "brick");
     CHECK(recipe->interior.normals == InteriorNormals::flat);
     CHECK(recipe->interior.creaseAngle == 30);
+    CHECK(recipe->interior.depthColor == "COLOR_0");
+    CHECK(parseRecipe(R"({"interior": {"depthColor": false}})", "")->interior.depthColor.empty());
+    CHECK(parseRecipe(R"({"interior": {"depthColor": "_DEEP"}})", "")->interior.depthColor ==
+          "_DEEP");
     CHECK(recipe->file == "r.json");
     CHECK(recipe->allowOpen);
 }
@@ -58,6 +62,10 @@ TEST_CASE("a bad recipe is refused with the pointer of the culprit and what woul
     CHECK(errorOf(R"({"interior": {"materials": {"paint": 1}}})").where ==
           "r.json#/interior/materials/paint");
     CHECK(errorOf(R"({"interior": {"normals": "round"}})").where == "r.json#/interior/normals");
+    for (const char* bad :
+         {"3", R"("COLOR_10")", R"("COLOR_x")", R"("DEPTH")", R"("_")", R"("_a b")"})
+        CHECK(errorOf(R"({"interior": {"depthColor": )" + std::string(bad) + "}}").where ==
+              "r.json#/interior/depthColor");
     CHECK(errorOf(R"({"interior": {"materials": []}})").where == "r.json#/interior/materials");
 }
 

@@ -43,6 +43,10 @@ struct InteriorSettings {
         0;  ///< size of one texture tile on hidden faces; 0: a quarter of the diagonal
     InteriorNormals normals = InteriorNormals::smooth;
     double creaseAngle = 60;  ///< degrees, 0..180: edges of sheets at a larger angle stay sharp
+    /// The attribute that tells how far below the surface hidden faces are, as share of the
+    /// object's deepest: "COLOR_n" (grey; white on the surface itself) or "_NAME" (a number; 0
+    /// there). Empty: none.
+    std::string depthColor;
 };
 
 struct PhysicsSettings {
