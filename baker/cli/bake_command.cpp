@@ -244,7 +244,7 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
     command
         ->add_option("--interior", arguments->interior,
                      "How pieces are closed inside (default medial)")
-        ->check(CLI::IsMember({"medial"}));
+        ->check(CLI::IsMember({"medial", "solid"}));
     command->add_option("--interior-material", arguments->interiorMaterial,
                         "The model's material for broken faces (default: a neutral grey is added)");
     command->add_flag(

@@ -15,6 +15,7 @@
 #include "interior/hidden_points.h"
 #include "interior/medial.h"
 #include "interior/piece_mending.h"
+#include "solid/solid_leaves.h"
 #include "surface/component_merging.h"
 #include "surface/cut_settings.h"
 #include "surface/cut_surface.h"
@@ -140,7 +141,7 @@ class Bake {
         const InsideTest inside(mesh_.positions, mesh_.triangles);
         HiddenPoints hidden = hiddenPoints(cut_.surface, medial.points, inside, recipe_.threads);
         sheet_ = plainSheet(cut_.surface, cut_.topology, std::move(hidden.points));
-        pieces_ = mendPieces(cut_.surface, cut_.topology, inside, sheet_, components_);
+        closePieces(inside);
         reportPieces(mesh_, small, pieces_, report());
     }
 
@@ -165,12 +166,27 @@ class Bake {
             });
     }
 
+    void closePieces(const InsideTest& inside) {
+        std::vector<MergedLeaf> merged;
+        do {
+            if (recipe_.interior.type == InteriorType::solid) {
+                solid_ = findSolidLeaves(cut_, components_);
+                setHubs(sheet_, solid_.hubs);
+            }
+            pieces_ = mendPieces(cut_.surface, cut_.topology, inside, sheet_, components_, solid_);
+            merged.insert(merged.end(), pieces_.merged.begin(), pieces_.merged.end());
+        } while (pieces_.stale);
+        pieces_.merged = std::move(merged);
+        if (recipe_.interior.type == InteriorType::solid)
+            reportSolid(mesh_, cut_, components_, solid_, report());
+    }
+
     /// Every fragment of every level, over vertex ids; over positions it is proven after assembly.
     Result<void> proveClosed() {
         const StageTimer timer = stage("proving closed", 0.7);
         for (uint32_t level = 1; level <= components_.levels; ++level) {
-            const ClosedReport proof = proveByIds(levelTopology(cut_.surface, cut_.topology, sheet_,
-                                                                components_, pieces_.faces, level));
+            const ClosedReport proof = proveByIds(levelTopology(
+                cut_.surface, cut_.topology, sheet_, components_, pieces_.faces, level, solid_));
             // Where the mesh touches itself along an edge a piece may do the same.
             const bool excused =
                 cut_.topology.pinchedEdges + cut_.topology.nonManifoldEdges > 0 && proof.closed();
@@ -275,6 +291,7 @@ class Bake {
     CutSurface cut_;
     Components components_;
     HiddenSheet sheet_;
+    SolidLeaves solid_;  ///< none unless the interior is solid
     MendedPieces pieces_;
     std::future<HiddenLooks> looks_;
     BakedObject result_;

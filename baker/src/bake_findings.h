@@ -33,6 +33,10 @@ void reportCutting(const SurfaceMesh& mesh, const CutSurface& cut, const Compone
 void reportPieces(const SurfaceMesh& mesh, const std::vector<MergedLeaf>& small,
                   const MendedPieces& pieces, BakedObjectReport& report);
 
+/// Which leaves a solid interior had to leave to the medial surface, and their share of the area.
+void reportSolid(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,
+                 const SolidLeaves& solid, BakedObjectReport& report);
+
 /// Counts, closed ones proven over positions, and volume shares.
 void reportFragments(const FractureSet& set, BakedObjectReport& report);
 

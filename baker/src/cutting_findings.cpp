@@ -191,4 +191,22 @@ void reportPieces(const SurfaceMesh& mesh, const std::vector<MergedLeaf>& small,
     }
 }
 
+void reportSolid(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,
+                 const SolidLeaves& solid, BakedObjectReport& report) {
+    const std::vector<MergedLeaf> all = placesOfLeaves(cut.surface, components);
+    std::vector<MergedLeaf> left;
+    double area = 0;
+    double whole = 0;
+    for (uint32_t leaf = 0; leaf < all.size(); ++leaf) {
+        whole += all[leaf].area;
+        if (solid.contains(leaf)) continue;
+        area += all[leaf].area;
+        left.push_back(all[leaf]);
+    }
+    add(report, "solid-fallback",
+        "pieces could not be cut straight through and have a medial sheet inside; they hold " +
+            text("%.3g %%", 100 * area / whole) + " of the surface",
+        placesOf(mesh, left));
+}
+
 }  // namespace sherd

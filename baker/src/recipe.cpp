@@ -290,8 +290,9 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
 
 Result<InteriorType> parseInteriorType(std::string_view text) {
     if (text == "medial") return InteriorType::medial;
+    if (text == "solid") return InteriorType::solid;
     return fail(ErrorCode::badArgument,
-                "\"" + std::string(text) + "\" is no way to close pieces: medial");
+                "\"" + std::string(text) + "\" is no way to close pieces: medial or solid");
 }
 
 Result<PageWrap> parsePageWrap(std::string_view text) {

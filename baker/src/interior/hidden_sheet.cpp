@@ -16,6 +16,17 @@ HiddenSheet plainSheet(const SplitSurface& surface, const MeshTopology& topology
     return sheet;
 }
 
+void setHubs(HiddenSheet& sheet, std::span<const glm::vec3> hubs) {
+    const size_t kept = sheet.points.size() - sheet.hubs;
+    for (std::vector<glm::vec3>* places : {&sheet.points, &sheet.feet}) {
+        places->resize(kept);
+        places->insert(places->end(), hubs.begin(), hubs.end());
+    }
+    sheet.origins.resize(kept);
+    sheet.origins.resize(kept + hubs.size());
+    sheet.hubs = static_cast<uint32_t>(hubs.size());
+}
+
 glm::dvec3 weightsOf(const VertexOrigin& origin, const std::array<uint32_t, 3>& meshTriangle) {
     glm::dvec3 weights(0.0);
     for (int k = 0; k < 3; ++k) {

@@ -29,11 +29,16 @@ struct HiddenSheet {
     std::vector<VertexOrigin> origins;  ///< per vertex: its foot on the mesh
     std::vector<glm::vec3> feet;        ///< per vertex: where it stands on the surface
     std::vector<glm::vec3> points;      ///< per vertex: the hidden point M below it
+    uint32_t hubs = 0;  ///< the last vertices are no triangle's: points inside the solid where
+                        ///< walls of solid pieces meet
 };
 
 /// The split surface itself as the sheet; `points` are one for each of its vertices.
 HiddenSheet plainSheet(const SplitSurface& surface, const MeshTopology& topology,
                        std::vector<glm::vec3> points);
+
+/// Puts hubs in the place of those the sheet had.
+void setHubs(HiddenSheet& sheet, std::span<const glm::vec3> hubs);
 
 /// An origin as weights of the three corners of the mesh triangle it lies in.
 glm::dvec3 weightsOf(const VertexOrigin& origin, const std::array<uint32_t, 3>& meshTriangle);

@@ -87,9 +87,10 @@ void shell(const SplitSurface& surface, const Components& components, const Thin
 }  // namespace
 
 MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topology,
-                        const InsideTest& inside, HiddenSheet& sheet, Components& components) {
+                        const InsideTest& inside, HiddenSheet& sheet, Components& components,
+                        const SolidLeaves& solid) {
     MendedPieces result;
-    result.faces = stitch(surface, topology, sheet, components);
+    result.faces = stitch(surface, topology, sheet, components, solid);
     std::vector<MassProperties> leaves = measure(surface, sheet, components, result.faces);
     std::vector<uint32_t> empty = emptyLeaves(leaves);
     result.thinned = static_cast<uint32_t>(empty.size());
@@ -128,6 +129,10 @@ MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topolog
         }
         if (!changed) break;
         mergeLeaves(components, into);
+        if (!solid.solid.empty()) {
+            result.stale = true;
+            return result;
+        }
         result.faces = stitch(surface, topology, sheet, components);
         leaves = measure(surface, sheet, components, result.faces);
         empty = emptyLeaves(leaves);

@@ -17,13 +17,16 @@ struct MendedPieces {
     std::vector<MergedLeaf> merged;  ///< pieces that had no volume even so
     uint32_t empty = 0;              ///< pieces without volume that could not even be merged
     std::vector<HiddenFace> faces;   ///< the stitched hidden faces of the final leaves
+    bool stale = false;  ///< leaves were merged and solid ones are to be found anew: mend again
 };
 
 /// For a piece of no positive volume its hidden points go back towards the surface by halves, at
 /// most six times; failing that it gets a shell of even thickness; failing that it is merged into
 /// the neighbour with the longest border. Changes the sheet's points and `components`; what is left
-/// afterwards has positive volume, unless the whole object has none.
+/// afterwards has positive volume, unless the whole object has none. With solid leaves it stops
+/// after the first merging.
 MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topology,
-                        const InsideTest& inside, HiddenSheet& sheet, Components& components);
+                        const InsideTest& inside, HiddenSheet& sheet, Components& components,
+                        const SolidLeaves& solid = {});
 
 }  // namespace sherd

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "interior/stitching.h"
 
+#include <map>
+
 #include "geometry/triangle.h"
 #include "geometry/union_find.h"
 
@@ -62,12 +64,14 @@ void addWall(const SplitSurface& surface, const HiddenSheet& sheet, uint32_t she
 }  // namespace
 
 std::vector<HiddenFace> stitch(const SplitSurface& surface, const MeshTopology& topology,
-                               const HiddenSheet& sheet, const Components& components) {
+                               const HiddenSheet& sheet, const Components& components,
+                               const SolidLeaves& solid) {
     const std::vector<uint8_t> divided = inDividedParts(surface, topology, components);
     std::vector<HiddenFace> faces;
     faces.reserve(sheet.triangles.size() + sheet.triangles.size() / 4);
     for (uint32_t t = 0; t < sheet.triangles.size(); ++t) {
         const uint32_t leaf = components.leaf[sheet.triangles[t].parent];
+        if (solid.contains(leaf)) continue;
         HiddenFace face;
         face.leaf = leaf;
         if (divided[leaf] != 0) {
@@ -81,23 +85,26 @@ std::vector<HiddenFace> stitch(const SplitSurface& surface, const MeshTopology& 
             const uint32_t o = topology.opposite[along];
             face.neighbour = o == kNone ? kNone : components.leaf[o / 3];
             if (face.neighbour == leaf) continue;
-            face.exposedFrom = o == kNone ? 1 : components.separatedFrom(leaf, face.neighbour);
+            face.exposedFrom = o == kNone || solid.contains(face.neighbour)
+                                   ? 1
+                                   : components.separatedFrom(leaf, face.neighbour);
             addWall(surface, sheet, h, face, faces);
         }
     }
+    faces.insert(faces.end(), solid.faces.begin(), solid.faces.end());
     return faces;
 }
 
 namespace {
 
-/// Corners around one vertex that hang together within one fragment: one id for each such fan.
-template <class FragmentOf>
-UnionFind fansOf(std::span<const uint32_t> opposite, const FragmentOf& fragmentOf) {
+/// Corners around one vertex that hang together within one body: one id for each such fan.
+template <class BodyOf>
+UnionFind fansOf(std::span<const uint32_t> opposite, const BodyOf& bodyOf) {
     const auto cornerCount = static_cast<uint32_t>(opposite.size());
     UnionFind fan(cornerCount);
     for (uint32_t h = 0; h < cornerCount; ++h) {
         const uint32_t o = opposite[h];
-        if (o == kNone || o < h || fragmentOf(h / 3) != fragmentOf(o / 3)) continue;
+        if (o == kNone || o < h || bodyOf(h / 3) != bodyOf(o / 3)) continue;
         fan.unite(h, nextCorner(o));
         fan.unite(nextCorner(h), o);
     }
@@ -106,13 +113,31 @@ UnionFind fansOf(std::span<const uint32_t> opposite, const FragmentOf& fragmentO
 
 }  // namespace
 
-std::vector<std::array<uint32_t, 3>> levelTopology(
-    const SplitSurface& surface, const MeshTopology& topology, const HiddenSheet& sheet,
-    const Components& components, std::span<const HiddenFace> hidden, uint32_t level) {
-    const auto fragmentOf = [&](uint32_t t) { return components.at(level, components.leaf[t]); };
-    UnionFind outerFans = fansOf(topology.opposite, fragmentOf);
-    UnionFind hiddenFans =
-        fansOf(sheet.opposite, [&](uint32_t t) { return fragmentOf(sheet.triangles[t].parent); });
+std::vector<std::array<uint32_t, 3>> levelTopology(const SplitSurface& surface,
+                                                   const MeshTopology& topology,
+                                                   const HiddenSheet& sheet,
+                                                   const Components& components,
+                                                   std::span<const HiddenFace> hidden,
+                                                   uint32_t level, const SolidLeaves& solid) {
+    // The solid leaves of a fragment are a body of their own: walls part them from the others.
+    const auto bodyOf = [&](uint32_t leaf) {
+        return 2 * components.at(level, leaf) + (solid.contains(leaf) ? 1 : 0);
+    };
+    const auto bodyOfTriangle = [&](uint32_t t) { return bodyOf(components.leaf[t]); };
+    UnionFind outerFans = fansOf(topology.opposite, bodyOfTriangle);
+    UnionFind hiddenFans = fansOf(
+        sheet.opposite, [&](uint32_t t) { return bodyOfTriangle(sheet.triangles[t].parent); });
+    // A hub is one vertex in each fragment that it belongs to.
+    const auto firstHub = static_cast<uint32_t>(sheet.opposite.size());
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> hubs;
+    const auto idOf = [&](CornerRef ref, uint32_t leaf) {
+        if (ref.hidden == 0) return 2 * outerFans.find(ref.corner);
+        if (!ref.isHub()) return 2 * hiddenFans.find(ref.corner) + 1;
+        const std::pair key(uint32_t{ref.corner}, components.at(level, leaf));
+        return 2 * (firstHub +
+                    hubs.try_emplace(key, static_cast<uint32_t>(hubs.size())).first->second) +
+               1;
+    };
     std::vector<std::array<uint32_t, 3>> triangles;
     triangles.reserve(surface.triangles.size() + hidden.size());
     for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
@@ -121,13 +146,8 @@ std::vector<std::array<uint32_t, 3>> levelTopology(
     }
     for (const HiddenFace& face : hidden) {
         if (face.exposedFrom > level) continue;
-        std::array<uint32_t, 3> ids{};
-        for (size_t k = 0; k < 3; ++k) {
-            const CornerRef ref = face.corners[k];
-            ids[k] = ref.hidden != 0 ? 2 * hiddenFans.find(ref.corner) + 1
-                                     : 2 * outerFans.find(ref.corner);
-        }
-        triangles.push_back(ids);
+        triangles.push_back({idOf(face.corners[0], face.leaf), idOf(face.corners[1], face.leaf),
+                             idOf(face.corners[2], face.leaf)});
     }
     return triangles;
 }

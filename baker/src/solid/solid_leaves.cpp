@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "solid/solid_leaves.h"
+
+#include <algorithm>
+#include <map>
+
+#include "geometry/closed_mesh.h"
+#include "solid/solid_walls.h"
+#include "solid/twin_leaves.h"
+#include "surface/component_merging.h"
+
+namespace sherd {
+namespace {
+
+CornerRef refOf(const OutlineVertex& v, bool low) {
+    if (v.hub != kNone) return {CornerRef::kFirstHub + v.hub, 1};
+    return {low ? v.lowCorner : v.highCorner, 0};
+}
+
+/// The triangle as one of the two pieces shows it, a corner of the surface first.
+std::array<CornerRef, 3> cornersOf(const std::array<OutlineVertex, 3>& triangle, bool low) {
+    std::array<CornerRef, 3> corners{};
+    for (size_t k = 0; k < 3; ++k) corners[k] = refOf(triangle[low ? 2 - k : k], low);
+    const auto outer = std::find_if(corners.begin(), corners.end(),
+                                    [](const CornerRef& ref) { return !ref.isHub(); });
+    std::rotate(corners.begin(), outer, corners.end());
+    return corners;
+}
+
+/// The walls of chosen pieces. leafOf: per piece its leaf.
+std::vector<HiddenFace> facesOf(const SolidWalls& solid, std::span<const uint8_t> chosen,
+                                std::span<const uint32_t> leafOf, const Components& components) {
+    std::vector<HiddenFace> faces;
+    for (const SolidWall& wall : solid.walls) {
+        for (const bool low : {true, false}) {
+            const uint32_t piece = low ? wall.low : wall.high;
+            const uint32_t other = low ? wall.high : wall.low;
+            if (chosen[piece] == 0) continue;
+            HiddenFace face;
+            face.leaf = leafOf[piece];
+            face.neighbour = leafOf[other];
+            face.wall = true;
+            face.exposedFrom =
+                chosen[other] != 0 ? components.separatedFrom(face.leaf, face.neighbour) : 1;
+            for (const auto& triangle : wall.triangles) {
+                face.corners = cornersOf(triangle, low);
+                faces.push_back(face);
+            }
+        }
+    }
+    return faces;
+}
+
+/// Drops the leaves of fragments whose solid leaves are not closed together. Whether any were.
+bool dropOpen(const SplitSurface& surface, const MeshTopology& topology,
+              const Components& components, SolidLeaves& leaves) {
+    std::vector<uint8_t> kept = leaves.solid;
+    for (uint32_t level = 1; level <= components.levels; ++level) {
+        const auto triangles =
+            levelTopology(surface, topology, {}, components, leaves.faces, level, leaves);
+        std::map<uint32_t, std::vector<std::array<uint32_t, 3>>> bodies;
+        size_t next = 0;
+        const auto take = [&](uint32_t leaf) {
+            if (leaves.contains(leaf))
+                bodies[components.at(level, leaf)].push_back(triangles[next]);
+            ++next;
+        };
+        for (const uint32_t leaf : components.leaf) take(leaf);
+        for (const HiddenFace& face : leaves.faces)
+            if (face.exposedFrom <= level) take(face.leaf);
+        for (const auto& [fragment, body] : bodies) {
+            if (proveByIds(body).manifold()) continue;
+            for (uint32_t leaf = 0; leaf < kept.size(); ++leaf)
+                if (components.at(level, leaf) == fragment) kept[leaf] = 0;
+        }
+    }
+    const bool changed = kept != leaves.solid;
+    leaves.solid = std::move(kept);
+    return changed;
+}
+
+double areaOf(const SolidWalls& walls, std::span<const double> areas) {
+    double sum = 0;
+    for (size_t leaf = 0; leaf < areas.size(); ++leaf)
+        if (walls.solid[leaf] != 0) sum += areas[leaf];
+    return sum;
+}
+
+/// The walls that close more of the surface.
+SolidWalls betterWalls(const CutSurface& cut, const Components& pieces) {
+    const std::vector<double> areas = leafAreas(cut.surface, pieces);
+    SolidWalls near =
+        solidWalls(cut.surface, cut.topology, pieces.leaf, pieces.leafCount, HubChoice::near);
+    SolidWalls central =
+        solidWalls(cut.surface, cut.topology, pieces.leaf, pieces.leafCount, HubChoice::centre);
+    return areaOf(central, areas) > areaOf(near, areas) ? central : near;
+}
+
+}  // namespace
+
+SolidLeaves findSolidLeaves(const CutSurface& cut, Components& components) {
+    const std::vector<uint32_t> twins =
+        twinLeaves(cut.surface, cut.topology, components, FarSide(cut.surface, cut.topology),
+                   [&cut](uint32_t level) { return !cut.hasCells(level); });
+    std::vector<uint32_t> pieceOf;  // per leaf as it was
+    const Components pieces = uniteLeaves(components, twins, pieceOf);
+    const SolidWalls walls = betterWalls(cut, pieces);
+    std::vector<uint8_t> chosen = walls.solid;
+    for (;;) {
+        // Twins that are not solid stay apart.
+        std::vector<uint32_t> group = twins;
+        for (uint32_t leaf = 0; leaf < group.size(); ++leaf)
+            if (chosen[pieceOf[leaf]] == 0) group[leaf] = leaf;
+        std::vector<uint32_t> newLeaf;
+        Components result = uniteLeaves(components, group, newLeaf);
+        SolidLeaves leaves;
+        leaves.solid.assign(result.leafCount, 0);
+        leaves.hubs = walls.hubs;
+        std::vector<uint32_t> leafOf(pieces.leafCount, kNone);
+        for (uint32_t leaf = 0; leaf < group.size(); ++leaf) {
+            if (leafOf[pieceOf[leaf]] == kNone) leafOf[pieceOf[leaf]] = newLeaf[leaf];
+            leaves.solid[newLeaf[leaf]] = chosen[pieceOf[leaf]];
+        }
+        leaves.faces = facesOf(walls, chosen, leafOf, result);
+        if (!dropOpen(cut.surface, cut.topology, result, leaves)) {
+            components = std::move(result);
+            return leaves;
+        }
+        for (uint32_t leaf = 0; leaf < group.size(); ++leaf)
+            chosen[pieceOf[leaf]] = std::min(chosen[pieceOf[leaf]], leaves.solid[newLeaf[leaf]]);
+    }
+}
+
+}  // namespace sherd

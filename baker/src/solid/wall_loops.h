@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The outlines of the walls between pieces.
+#pragma once
+
+#include "solid/skeleton.h"
+
+namespace sherd {
+
+/// A corner of a wall's outline: a vertex of the surface, or a hub.
+struct OutlineVertex {
+    uint32_t vertex = kNone;  ///< of the split surface
+    uint32_t hub = kNone;
+    uint32_t lowCorner = kNone;   ///< at the vertex, in the lower piece
+    uint32_t highCorner = kNone;  ///< likewise in the higher
+    bool onRing = false;          ///< of an arc without nodes
+    uint32_t arc = kNone;         ///< on the surface
+};
+
+/// The outline of a wall, a closed polygon: along arcs with the lower piece on the left, and
+/// through the solid from node to node. The wall's triangles turn the outline's way as the higher
+/// piece shows them, and the other way as the lower does.
+struct WallOutline {
+    uint32_t low = 0, high = 0;
+    std::vector<OutlineVertex> vertices;
+};
+
+struct WallOutlines {
+    std::vector<WallOutline> walls;
+    std::vector<uint8_t> broken;  ///< per piece: has a border that no outline closes over
+};
+
+WallOutlines wallOutlines(const SplitSurface& surface, const MeshTopology& topology,
+                          const BorderGraph& graph, const Skeleton& skeleton);
+
+}  // namespace sherd
