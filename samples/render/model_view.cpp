@@ -102,17 +102,23 @@ std::vector<RenderVertex> gatherVertices(const FractureGeometry& geometry) {
 
 }  // namespace
 
+std::vector<uint32_t> addMaterials(const GltfDocument& document, std::span<const int32_t> indices,
+                                   float diagonal, SceneRenderer& renderer) {
+    const json root = json::parse(document.json, nullptr, false);
+    std::vector<uint32_t> materials;
+    for (const int32_t index : indices) {
+        RenderMaterial material = readMaterial(document, root, index, renderer);
+        if (material.texture < 0) material.grain = 45 / diagonal;
+        materials.push_back(renderer.addMaterial(material));
+    }
+    return materials;
+}
+
 ModelView::ModelView(std::shared_ptr<const Asset> asset, const GltfDocument& document,
                      SceneRenderer& renderer)
     : asset_(std::move(asset)) {
     mesh_ = renderer.addMesh(gatherVertices(asset_->geometry()), asset_->geometry().indices);
-    const json root = json::parse(document.json, nullptr, false);
-    for (const int32_t index : asset_->set().materials) {
-        RenderMaterial material = readMaterial(document, root, index, renderer);
-        // Broken faces carry no picture; a plain colour would look like plastic.
-        if (material.texture < 0) material.grain = 45 / asset_->diagonal();
-        materials_.push_back(renderer.addMaterial(material));
-    }
+    materials_ = addMaterials(document, asset_->set().materials, asset_->diagonal(), renderer);
 }
 
 void ModelView::append(const FragmentPose& pose, std::vector<DrawItem>& items) const {

@@ -4,6 +4,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "scene_renderer.h"
@@ -12,6 +13,11 @@
 #include "sherd/runtime/events.h"
 
 namespace sherd::samples {
+
+/// The document's materials of these glTF indices, -1 being the default one. Those without a
+/// picture get a grain that suits an object of this diagonal: a plain colour looks like plastic.
+std::vector<uint32_t> addMaterials(const GltfDocument& document, std::span<const int32_t> indices,
+                                   float diagonal, SceneRenderer& renderer);
 
 class ModelView {
   public:

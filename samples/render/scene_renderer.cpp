@@ -156,12 +156,9 @@ class SceneRenderer::Impl {
         glBindFramebuffer(GL_FRAMEBUFFER, shadowMap_.framebuffer());
         glViewport(0, 0, size, size);
         glClear(GL_DEPTH_BUFFER_BIT);
-        glEnable(GL_POLYGON_OFFSET_FILL);
-        glPolygonOffset(1.5F, 2.0F);
         shadow_.use();
         shadow_.set("uShadow", shadow);
         drawItems(shadow_, frame);
-        glDisable(GL_POLYGON_OFFSET_FILL);
     }
 
     void drawPicture(const SceneFrame& frame, const glm::mat4& shadow) const {
@@ -183,7 +180,7 @@ class SceneRenderer::Impl {
         glBindTexture(GL_TEXTURE_2D, shadowMap_.texture());
         glActiveTexture(GL_TEXTURE0);
         drawSurfaces(frame);
-        drawFloor(frame, 7 * glm::distance(frame.eye, frame.focus));
+        if (frame.floor) drawFloor(frame, 7 * glm::distance(frame.eye, frame.focus));
     }
 
     void drawSky(const SceneFrame& frame, const glm::mat4& camera) const {

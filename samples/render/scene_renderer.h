@@ -45,6 +45,7 @@ struct SceneFrame {
     glm::vec3 sun{0.4F, 0.8F, 0.4F};  ///< towards the sun
     glm::vec3 focus{0.0F};            ///< the middle of what shadows must cover
     float focusRadius = 1;            ///< metres
+    bool floor = true;                ///< at y = 0
     float gridSize = 0.25F;           ///< metres between the floor's lines
     std::vector<DrawItem> items;
 };
