@@ -15,6 +15,7 @@
 #include "interior/hidden_points.h"
 #include "interior/medial.h"
 #include "interior/piece_mending.h"
+#include "solid/line_carrying.h"
 #include "solid/solid_leaves.h"
 #include "surface/component_merging.h"
 #include "surface/cut_settings.h"
@@ -119,6 +120,13 @@ class Bake {
         }
 #endif
         cut_ = std::move(*done);
+        if (recipe_.interior.type == InteriorType::solid) {
+            const Result<CarriedLines> carried =
+                carryLines(mesh_, cutOptionsOf(recipe_, diagonal_), cut_);
+            if (!carried) return tl::unexpected(carried.error());
+            carried_ = carried->edges > 0;
+            reportCarried(*carried, report());
+        }
         if (cut_.lines.size() == 0)
             return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
         std::vector<CellReport> cells;
@@ -170,7 +178,7 @@ class Bake {
         std::vector<MergedLeaf> merged;
         do {
             if (recipe_.interior.type == InteriorType::solid) {
-                solid_ = findSolidLeaves(cut_, components_);
+                solid_ = findSolidLeaves(cut_, carried_, components_);
                 setHubs(sheet_, solid_.hubs);
             }
             pieces_ = mendPieces(cut_.surface, cut_.topology, inside, sheet_, components_, solid_);
@@ -291,7 +299,8 @@ class Bake {
     CutSurface cut_;
     Components components_;
     HiddenSheet sheet_;
-    SolidLeaves solid_;  ///< none unless the interior is solid
+    bool carried_ = false;  ///< lines onto the far side of walls
+    SolidLeaves solid_;     ///< none unless the interior is solid
     MendedPieces pieces_;
     std::future<HiddenLooks> looks_;
     BakedObject result_;

@@ -6,6 +6,7 @@
 #include "sherd/baker/report.h"
 #include "sherd/baker/surface_mesh.h"
 #include "sherd/formats/result.h"
+#include "solid/line_carrying.h"
 #include "surface/cut_surface.h"
 
 namespace sherd {
@@ -32,6 +33,9 @@ void reportCutting(const SurfaceMesh& mesh, const CutSurface& cut, const Compone
                    BakedObjectReport& report);
 void reportPieces(const SurfaceMesh& mesh, const std::vector<MergedLeaf>& small,
                   const MendedPieces& pieces, BakedObjectReport& report);
+
+/// What was drawn on the far side of a solid interior's walls.
+void reportCarried(const CarriedLines& carried, BakedObjectReport& report);
 
 /// Which leaves a solid interior had to leave to the medial surface, and their share of the area.
 void reportSolid(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,

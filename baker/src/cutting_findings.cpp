@@ -191,6 +191,16 @@ void reportPieces(const SurfaceMesh& mesh, const std::vector<MergedLeaf>& small,
     }
 }
 
+void reportCarried(const CarriedLines& carried, BakedObjectReport& report) {
+    if (carried.edges > 0) {
+        report.findings.push_back({"carried",
+                                   "pieces of line were carried through to the far side, which had "
+                                   "none there",
+                                   "", carried.edges});
+    }
+    add(report, "over-rim", "line ends were led over a rim to the far side", carried.rims);
+}
+
 void reportSolid(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,
                  const SolidLeaves& solid, BakedObjectReport& report) {
     const std::vector<MergedLeaf> all = placesOfLeaves(cut.surface, components);

@@ -9,8 +9,8 @@
 namespace sherd {
 namespace {
 
-/// Faces that turn more than this against each other meet at a crease.
-constexpr double kCrease = 0.77;  // cosine of 40 degrees
+/// Shares of the diagonal: rays begin so far inside, past what is around their foot.
+constexpr double kStart = 1e-6;
 /// The far side faces away by at least 120 degrees.
 constexpr double kOpposed = -0.5;
 
@@ -26,39 +26,44 @@ glm::dvec3 triangleNormal(const SplitSurface& surface, uint32_t triangle) {
 }  // namespace
 
 FarSide::FarSide(const SplitSurface& surface, const MeshTopology& topology)
-    : surface_(surface), topology_(topology), tree_(surface.positions, vertexTriangles(surface)) {
+    : surface_(surface),
+      topology_(topology),
+      tree_(surface.positions, vertexTriangles(surface)),
+      start_(kStart * boundsOf(surface).diagonal()) {
     normals_.reserve(surface.triangles.size());
     for (uint32_t t = 0; t < surface.triangles.size(); ++t)
         normals_.push_back(triangleNormal(surface, t));
 }
 
-/// The mean of the faces around a corner that make one smooth surface with its own.
-glm::dvec3 FarSide::cornerNormal(uint32_t corner) const {
-    const glm::dvec3 own = normals_[corner / 3];
-    glm::dvec3 sum = own;
+glm::dvec3 FarSide::smoothNormal(uint32_t corner, const glm::dvec3& normal) const {
+    glm::dvec3 sum(0.0);
+    const auto add = [&](uint32_t c) {
+        if (glm::dot(normals_[c / 3], normal) > kCrease) sum += normals_[c / 3];
+    };
     uint32_t c = corner;
     do {
-        const uint32_t o = topology_.opposite[nextCorner(nextCorner(c))];
-        if (o == kNone || o == corner) break;
-        c = o;
-        if (glm::dot(normals_[c / 3], own) > kCrease) sum += normals_[c / 3];
-    } while (c != corner);
+        add(c);
+        c = topology_.opposite[nextCorner(nextCorner(c))];
+    } while (c != kNone && c != corner);
     const double length = glm::length(sum);
-    return length > 0 ? sum / length : own;
+    return length > 0 ? sum / length : normal;
+}
+
+std::optional<FarSide::Place> FarSide::behind(const glm::dvec3& from,
+                                              const glm::dvec3& normal) const {
+    const RayHit hit = firstHit(tree_, from - start_ * normal, -normal);
+    if (hit.triangle == RayHit::kNone) return std::nullopt;
+    if (!(glm::dot(normals_[hit.triangle], normal) < kOpposed)) return std::nullopt;
+    return Place{from - (start_ + hit.t) * normal, hit.triangle};
 }
 
 std::optional<FarSide::Place> FarSide::across(uint32_t triangle, const glm::dvec3& weights) const {
     glm::dvec3 normal(0.0);
     for (uint32_t k = 0; k < 3; ++k)
-        normal += weights[static_cast<int>(k)] * cornerNormal(3 * triangle + k);
+        normal += weights[static_cast<int>(k)] * smoothNormal(3 * triangle + k, normals_[triangle]);
     const double length = glm::length(normal);
     if (!(length > 0)) return std::nullopt;
-    normal /= length;
-    const glm::dvec3 from = pointOn(surface_, triangle, weights);
-    const RayHit hit = firstHit(tree_, from, -normal, triangle);
-    if (hit.triangle == RayHit::kNone) return std::nullopt;
-    if (!(glm::dot(normals_[hit.triangle], normal) < kOpposed)) return std::nullopt;
-    return Place{from - hit.t * normal, hit.triangle};
+    return behind(pointOn(surface_, triangle, weights), normal / length);
 }
 
 std::optional<FarSide::Place> FarSide::acrossFrom(uint32_t triangle) const {

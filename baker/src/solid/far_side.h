@@ -13,6 +13,9 @@ namespace sherd {
 
 class FarSide {
   public:
+    /// Faces that turn more than this against each other meet at a crease: cosine of 40 degrees.
+    static constexpr double kCrease = 0.77;
+
     FarSide(const SplitSurface& surface, const MeshTopology& topology);
 
     struct Place {
@@ -25,6 +28,12 @@ class FarSide {
     /// smooth normals, which creases interrupt.
     std::optional<Place> across(uint32_t triangle, const glm::dvec3& weights) const;
 
+    /// The same for a ray from a place of the surface against a unit normal.
+    std::optional<Place> behind(const glm::dvec3& from, const glm::dvec3& normal) const;
+
+    /// The mean normal of those faces around a corner that make one smooth surface with `normal`.
+    glm::dvec3 smoothNormal(uint32_t corner, const glm::dvec3& normal) const;
+
     /// Whether rays from around the middle of a triangle arrive without having crossed each other,
     /// as they do through a wall and do not through a round body; and where the middle one does.
     std::optional<Place> acrossFrom(uint32_t triangle) const;
@@ -32,11 +41,10 @@ class FarSide {
     glm::dvec3 normalOf(uint32_t triangle) const { return normals_[triangle]; }
 
   private:
-    glm::dvec3 cornerNormal(uint32_t corner) const;
-
     const SplitSurface& surface_;
     const MeshTopology& topology_;
     TriangleBvh tree_;
+    double start_;                     ///< metres below the surface: where rays begin
     std::vector<glm::dvec3> normals_;  ///< of triangles, unit or zero
 };
 

@@ -98,10 +98,10 @@ SolidWalls betterWalls(const CutSurface& cut, const Components& pieces) {
 
 }  // namespace
 
-SolidLeaves findSolidLeaves(const CutSurface& cut, Components& components) {
-    const std::vector<uint32_t> twins =
-        twinLeaves(cut.surface, cut.topology, components, FarSide(cut.surface, cut.topology),
-                   [&cut](uint32_t level) { return !cut.hasCells(level); });
+SolidLeaves findSolidLeaves(const CutSurface& cut, bool carried, Components& components) {
+    const std::vector<uint32_t> twins = twinLeaves(
+        cut.surface, cut.topology, components, FarSide(cut.surface, cut.topology),
+        [&cut](uint32_t level) { return !cut.hasCells(level); }, carried);
     std::vector<uint32_t> pieceOf;  // per leaf as it was
     const Components pieces = uniteLeaves(components, twins, pieceOf);
     const SolidWalls walls = betterWalls(cut, pieces);

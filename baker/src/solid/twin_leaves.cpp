@@ -2,6 +2,8 @@
 #include "solid/twin_leaves.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <numeric>
 #include <set>
@@ -9,6 +11,7 @@
 #include "geometry/compact_labels.h"
 #include "geometry/triangle.h"
 #include "geometry/union_find.h"
+#include "surface/component_merging.h"
 
 namespace sherd {
 namespace {
@@ -16,9 +19,11 @@ namespace {
 /// Rays from a leaf: how much of its area sees which leaf.
 using Views = std::vector<std::map<uint32_t, double>>;
 
-/// A few triangles of every leaf look across, those with the most area.
+/// A few triangles of every leaf look across, those with the most area. They see nothing that is
+/// farther off than their leaf is wide, by `mostWidths`.
 Views viewsOf(const SplitSurface& surface, const Components& components, const FarSide& farSide,
-              std::vector<double>& looked) {
+              double mostWidths, std::vector<double>& looked) {
+    const std::vector<double> areas = leafAreas(surface, components);
     constexpr size_t kMostRays = 48;
     std::vector<std::vector<std::pair<double, uint32_t>>> triangles(components.leafCount);
     for (uint32_t t = 0; t < surface.triangles.size(); ++t) {
@@ -35,10 +40,28 @@ Views viewsOf(const SplitSurface& surface, const Components& components, const F
             const auto [minusArea, t] = own[i];
             looked[leaf] -= minusArea;
             const auto place = farSide.acrossFrom(t);
-            if (place) views[leaf][components.leaf[place->triangle]] -= minusArea;
+            if (!place || glm::distance(place->position, centroidOf(surface, t)) >
+                              mostWidths * std::sqrt(areas[leaf]))
+                continue;
+            views[leaf][components.leaf[place->triangle]] -= minusArea;
         }
     }
     return views;
+}
+
+/// A piece sees another if that is more of its view than this.
+constexpr double kLeastView = 0.25;
+
+/// What is seen most of an area that looks; kNone if that is little.
+uint32_t mostOf(const std::map<uint32_t, double>& seen, double looked) {
+    uint32_t best = kNone;
+    double most = kLeastView * looked;
+    for (const auto& [leaf, area] : seen) {
+        if (!(area > most)) continue;
+        best = leaf;
+        most = area;
+    }
+    return best;
 }
 
 /// What one level's pieces see of each other.
@@ -78,13 +101,7 @@ class LevelTwins {
     }
     /// What a piece sees most of, unless that is little or itself.
     uint32_t mostSeen(uint32_t a) const {
-        uint32_t best = kNone;
-        double most = 0.25 * looked_[a];
-        for (const auto& [b, area] : seen_[a]) {
-            if (!(area > most)) continue;
-            best = b;
-            most = area;
-        }
+        const uint32_t best = mostOf(seen_[a], looked_[a]);
         return best == a ? kNone : best;
     }
 
@@ -99,9 +116,10 @@ class LevelTwins {
 
 std::vector<uint32_t> twinLeaves(const SplitSurface& surface, const MeshTopology& topology,
                                  const Components& components, const FarSide& farSide,
-                                 const std::function<bool(uint32_t level)>& drawn) {
+                                 const std::function<bool(uint32_t level)>& drawn, bool far) {
+    constexpr double kWall = 1.5;
     std::vector<double> looked;
-    const Views views = viewsOf(surface, components, farSide, looked);
+    const Views views = viewsOf(surface, components, farSide, far ? 1e300 : kWall, looked);
     std::set<std::pair<uint32_t, uint32_t>> touching;
     for (uint32_t h = 0; h < topology.opposite.size(); ++h) {
         if (topology.opposite[h] == kNone) continue;
