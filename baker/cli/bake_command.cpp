@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cctype>
 #include <chrono>
 #include <cstdio>
@@ -30,6 +31,7 @@ struct BakeArguments {
     std::optional<unsigned> threads;
     bool thesis = false;
     bool allowOpen = false;
+    bool measure = false;
     bool quiet = false;
 };
 
@@ -68,21 +70,47 @@ Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
     }
     recipe->interior.thesis = recipe->interior.thesis || arguments.thesis;
     recipe->allowOpen = recipe->allowOpen || arguments.allowOpen;
+    if (arguments.measure) recipe->measure = true;
+    if (!recipe->measure) recipe->measure = !arguments.report.empty();
     if (!arguments.interiorMaterial.empty()) recipe->interior.material = arguments.interiorMaterial;
     return recipe;
 }
 
+/// A measure in a column of the table, or nothing.
+template <class Value>
+std::string cell(const char* format, const std::optional<Value>& value, double scale = 1) {
+    if (!value) return "";
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, scale * static_cast<double>(*value));
+    return text.data();
+}
+
+void printLevels(const BakedObjectReport& object) {
+    for (size_t k = 0; k < object.levels.size(); ++k) {
+        const BakedLevelReport& level = object.levels[k];
+        std::printf("%-24.24s %5zu %10u %11u %7.4g%% %8.5g%% %7.3g%%",
+                    k == 0 ? object.name.c_str() : "", k, level.fragments, level.components,
+                    100.0 * level.closed / std::max(level.fragments, 1U), 100 * level.volumeShare,
+                    100 * level.hiddenShare);
+        if (level.protrusion)
+            std::printf(" %8s %8s %9s %9s %9s", cell("%.3g%%", level.coverageNone, 100).c_str(),
+                        cell("%.3g%%", level.coverageDouble, 100).c_str(),
+                        cell("%.2g", level.protrusion, 1 / object.diagonal).c_str(),
+                        cell("%.0f", level.selfIntersections).c_str(),
+                        cell("%.3g m", level.thinnest).c_str());
+        std::printf("\n");
+    }
+}
+
 void printTable(const BakeReport& report) {
-    std::printf("%-24s %5s %10s %11s %8s %9s\n", "object", "level", "fragments", "components",
-                "closed", "volume");
+    std::printf("%-24s %5s %10s %11s %8s %9s %8s", "object", "level", "fragments", "components",
+                "closed", "volume", "hidden");
+    const bool measured = !report.objects.empty() && report.objects[0].levels[0].protrusion;
+    if (measured)
+        std::printf(" %8s %8s %9s %9s %9s", "none", "double", "outside", "crossings", "thinnest");
+    std::printf("\n");
     for (const BakedObjectReport& object : report.objects) {
-        for (size_t k = 0; k < object.levels.size(); ++k) {
-            const BakedLevelReport& level = object.levels[k];
-            std::printf("%-24.24s %5zu %10u %11u %7.4g%% %8.5g%%\n",
-                        k == 0 ? object.name.c_str() : "", k, level.fragments, level.components,
-                        100.0 * level.closed / std::max(level.fragments, 1U),
-                        100 * level.volumeShare);
-        }
+        printLevels(object);
         std::printf("  %u triangles, %u after cutting, %u bonds;", object.triangles,
                     object.splitTriangles, object.bonds);
         for (const StageTime& stage : object.stages)
@@ -232,7 +260,12 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
                     "A fracture map (.svg, .json, .png or .jpg); repeat it for each deeper level, "
                     "coarse to fine. With one map its layers \"level 1..n\" choose the level",
                     arguments->lines);
-    command->add_option("--report", arguments->report, "Write what was done and found as JSON");
+    command->add_option("--report", arguments->report,
+                        "Write what was done, found and measured as JSON");
+    command->add_flag(
+        "--measure", arguments->measure,
+        "Measure how well the pieces fill the object, what sticks out, crosses itself "
+        "or is thin; with --report this is done anyway");
     command
         ->add_option("--node", arguments->import.nodes,
                      "Only this mesh node (name or index); may be repeated")

@@ -15,6 +15,7 @@
 #include "interior/hidden_points.h"
 #include "interior/medial.h"
 #include "interior/piece_mending.h"
+#include "measures/measures.h"
 #include "solid/line_carrying.h"
 #include "solid/solid_leaves.h"
 #include "surface/component_merging.h"
@@ -51,7 +52,8 @@ class Bake {
         beginLooks();
         if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());
         assemble();
-        return judgeFragments();
+        if (auto ok = judgeFragments(); !ok) return tl::unexpected(ok.error());
+        return std::move(result_);
     }
 
   private:
@@ -270,7 +272,7 @@ class Bake {
     }
 
     /// The last proof, over the positions that are written: no fragment that fails it leaves here.
-    Result<BakedObject> judgeFragments() {
+    Result<void> judgeFragments() {
         {
             const StageTimer timer = stage("proving positions", 0.95);
             reportFragments(result_.set, report());
@@ -285,7 +287,12 @@ class Bake {
                             "mistake in Sherd, please report it",
                         "mesh \"" + mesh_.name + "\"");
         }
-        return std::move(result_);
+        const StageTimer timer = stage("measures", 0.96);
+        const InsideTest inside(mesh_.positions, mesh_.triangles);
+        const InsideCells cells(inside, mesh_.positions, mesh_.triangles);
+        measureSet(result_.set, {mesh_.positions, mesh_.triangles, cells},
+                   recipe_.measure.value_or(false), recipe_.threads, report());
+        return {};
     }
 
     SurfaceMesh mesh_;  ///< a copy: vertices where solids touch are told apart

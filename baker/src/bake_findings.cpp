@@ -112,10 +112,13 @@ Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal) {
 }
 
 void reportFragments(const FractureSet& set, BakedObjectReport& report) {
-    std::vector<uint8_t> closed(set.fragments.size());
     for (uint32_t f = 0; f < set.fragments.size(); ++f) {
-        closed[f] =
-            proveByPositions(set.geometry.positions, fragmentTriangles(set, f)).closed() ? 1 : 0;
+        BakedFragmentReport entry;
+        entry.name = set.fragments[f].name;
+        entry.level = set.fragments[f].level;
+        entry.volume = set.fragments[f].volume;
+        entry.closed = proveByPositions(set.geometry.positions, fragmentTriangles(set, f)).closed();
+        report.fragments.push_back(std::move(entry));
     }
     report.bonds = static_cast<uint32_t>(set.bonds.size());
     for (uint32_t level = 0; level < report.levels.size(); ++level) {
@@ -123,7 +126,7 @@ void reportFragments(const FractureSet& set, BakedObjectReport& report) {
         double volume = 0;
         for (const uint32_t f : fragmentsAtLevel(set, level)) {
             ++entry.fragments;
-            entry.closed += closed[f];
+            entry.closed += report.fragments[f].closed ? 1 : 0;
             volume += set.fragments[f].volume;
         }
         entry.volumeShare = report.volume > 0 ? volume / report.volume : 0;

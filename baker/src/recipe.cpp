@@ -69,6 +69,12 @@ class Reader {
             return true;
         };
     }
+    Field boolean(std::optional<bool>& target) {
+        return [this, &target](const Json& json, const std::string& pointer) {
+            target.emplace();
+            return boolean(*target)(json, pointer);
+        };
+    }
     Field string(std::string& target) {
         return [this, &target](const Json& json, const std::string& pointer) {
             if (!json.is_string()) return wrong(pointer, "must be a string");
@@ -278,7 +284,8 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
           [&](const Json& j, const std::string& p) {
               return readLevelColors(reader, j, p, recipe);
           }},
-         {"allowOpen", reader.boolean(recipe.allowOpen)}});
+         {"allowOpen", reader.boolean(recipe.allowOpen)},
+         {"measure", reader.boolean(recipe.measure)}});
     if (!ok) return tl::unexpected(error);
     if (!wrap.empty()) {
         const Result<PageWrap> parsed = parsePageWrap(wrap);

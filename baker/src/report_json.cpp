@@ -5,8 +5,47 @@
 
 namespace sherd {
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What was not measured is left out.
+template <class Value>
+void put(Json& json, const char* key, const std::optional<Value>& value) {
+    if (value) json[key] = *value;
+}
+
+Json levelJson(const BakedLevelReport& level) {
+    Json json{{"fragments", level.fragments},
+              {"components", level.components},
+              {"closed", level.closed},
+              {"volumeShare", level.volumeShare},
+              {"hiddenShare", level.hiddenShare}};
+    if (level.coverageNone)
+        json["coverage"] = {{"none", *level.coverageNone},
+                            {"double", level.coverageDouble.value_or(0)}};
+    put(json, "protrusion", level.protrusion);
+    put(json, "selfIntersections", level.selfIntersections);
+    put(json, "thinnest", level.thinnest);
+    return json;
+}
+
+Json fragmentJson(const BakedFragmentReport& fragment) {
+    Json json{{"level", fragment.level},
+              {"closed", fragment.closed},
+              {"volume", fragment.volume},
+              {"hiddenShare", fragment.hiddenShare}};
+    if (!fragment.name.empty()) json["name"] = fragment.name;
+    put(json, "overlap", fragment.overlap);
+    put(json, "protrusion", fragment.protrusion);
+    put(json, "selfIntersections", fragment.selfIntersections);
+    put(json, "thinnest", fragment.thinnest);
+    return json;
+}
+
+}  // namespace
+
 std::string toJson(const BakeReport& report) {
-    using Json = nlohmann::ordered_json;
     Json root{{"sherdReport", 1},
               {"source", report.source},
               {"seconds", report.seconds},
@@ -21,14 +60,14 @@ std::string toJson(const BakeReport& report) {
                    {"boundaryEdges", object.boundaryEdges},
                    {"bonds", object.bonds},
                    {"levels", Json::array()},
+                   {"fragments", Json::array()},
                    {"findings", Json::array()},
                    {"stages", Json::array()}};
         for (const BakedLevelReport& level : object.levels) {
-            entry["levels"].push_back({{"fragments", level.fragments},
-                                       {"components", level.components},
-                                       {"closed", level.closed},
-                                       {"volumeShare", level.volumeShare}});
+            entry["levels"].push_back(levelJson(level));
         }
+        for (const BakedFragmentReport& fragment : object.fragments)
+            entry["fragments"].push_back(fragmentJson(fragment));
         for (const BakeFinding& finding : object.findings) {
             Json found{{"code", finding.code},
                        {"message", finding.message},

@@ -33,7 +33,8 @@ class Baking(CommandCase):
         result = self.bake()
         self.assertEqual(result.stderr, '')
         rows = [line.split() for line in result.stdout.splitlines()]
-        self.assertEqual(rows[0], ['object', 'level', 'fragments', 'components', 'closed', 'volume'])
+        self.assertEqual(rows[0], ['object', 'level', 'fragments', 'components', 'closed', 'volume',
+                                   'hidden'])
         self.assertEqual(rows[1][:5], ['cube', '0', '1', '1', '100%'])
         self.assertEqual(rows[2][:4], ['1', '2', '2', '100%'])
         self.assertEqual(rows[3][:4], ['2', '3', '3', '100%'])
@@ -147,6 +148,31 @@ class Baking(CommandCase):
             self.assertLess(level['volumeShare'], 1.0001)
         self.assertIsInstance(cube['findings'], list)
         self.assertTrue(all(stage['seconds'] >= 0 for stage in cube['stages']))
+
+    def test_measures_come_with_a_report_or_when_asked_for(self):
+        report = self.dir / 'report.json'
+        plain = self.bake().stdout.splitlines()[0].split()
+        asked = self.bake('--measure').stdout.splitlines()[0].split()
+        reported = self.bake('--report', report).stdout.splitlines()[0].split()
+        self.assertEqual(asked, plain + ['none', 'double', 'outside', 'crossings', 'thinnest'])
+        self.assertEqual(reported, asked)
+        cube, = json.loads(report.read_text())['objects']
+        for level in cube['levels'] + cube['fragments']:
+            self.assertGreaterEqual(level['selfIntersections'], 0)
+            self.assertLess(level['protrusion'], 1e-5)
+            self.assertGreater(level['thinnest'], 0)
+            self.assertLess(level['thinnest'], 1.01)
+        self.assertEqual(cube['levels'][0]['coverage'], {'none': 0, 'double': 0})
+        self.assertEqual(cube['levels'][0]['selfIntersections'], 0)
+        self.assertEqual(len(cube['fragments']), 5)
+        self.assertEqual([f['level'] for f in cube['fragments']], [0, 1, 1, 2, 2])
+        self.assertAlmostEqual(cube['fragments'][1]['volume'] + cube['fragments'][2]['volume'],
+                               cube['levels'][1]['volumeShare'], 6)
+        recipe = self.write('fast.json', b'{"levels": [{"map": "map.svg"}], "measure": false}')
+        self.succeed('bake', self.model, '--recipe', recipe, '-o', self.out, '--report', report)
+        cube, = json.loads(report.read_text())['objects']
+        self.assertNotIn('coverage', cube['levels'][1])
+        self.assertGreater(cube['levels'][1]['hiddenShare'], 0)
 
     def test_what_is_degraded_is_told_in_table_and_report(self):
         # A line that ends inside the chart separates nothing; beside a disc it is a finding.

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Signed crossings of an axis-parallel ray. Rays through vertices and edges are decided by symbolic
-// perturbation (Edelsbrunner and Muecke, "Simulation of Simplicity", 1990) of the query alone:
-// q' = q + (e, e^2, e^3) with e > 0 as small as one likes. In projection q' lies on no edge, so the
-// signs of its three sides say without doubt whether it is in the triangle, and two triangles
-// sharing an edge never both claim or both deny it.
+// Signed crossings of an axis-parallel ray.
 #include "geometry/inside_test.h"
 
 #include <algorithm>
@@ -11,7 +7,7 @@
 #include <cmath>
 #include <thread>
 
-#include "geometry/predicates.h"
+#include "geometry/ray_crossing.h"
 
 namespace sherd {
 namespace {
@@ -47,32 +43,6 @@ bool edgesCancel(std::span<const glm::vec3> positions,
         }
     }
     return sum == 0;
-}
-
-glm::dvec2 xy(const glm::vec3& p) {
-    return {p.x, p.y};
-}
-
-int sign(double x) {
-    return x > 0 ? 1 : (x < 0 ? -1 : 0);
-}
-
-/// The side of q' on a -> b: orient2d(a, b, q), and where that is 0 the first of its derivatives
-/// that is not. 0 only if a and b coincide.
-int sideOfMoved(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& q) {
-    if (const int side = orient2d(a, b, q)) return side;
-    if (const int side = sign(a.y - b.y)) return side;
-    return sign(b.x - a.x);
-}
-
-/// Whether q' is above the plane of a triangle whose projection turns as `turn`.
-bool movedIsAbove(const std::array<glm::vec3, 3>& corner, const glm::dvec3& q, int turn) {
-    const glm::dvec3 a(corner[0]), b(corner[1]), c(corner[2]);
-    int side = orient3d(a, b, c, q);
-    if (side == 0) side = orient2d({a.y, a.z}, {b.y, b.z}, {c.y, c.z});  // x of the normal
-    if (side == 0) side = orient2d({a.z, a.x}, {b.z, b.x}, {c.z, c.x});  // y of the normal
-    if (side == 0) side = turn;
-    return side == turn;
 }
 
 glm::vec3 rotated(const glm::vec3& p, int axis) {
@@ -172,13 +142,9 @@ InsideTest::Crossings InsideTest::Grid::crossings(const glm::dvec3& point, bool 
         const Triangle& t = triangles_[cellTriangles_[i]];
         const auto& [a, b, c] = t.corners;
         if (!bothWays && a.z < q.z && b.z < q.z && c.z < q.z) continue;
-        const int turn = sideOfMoved(xy(a), xy(b), {q.x, q.y});
-        if (turn == 0 || sideOfMoved(xy(b), xy(c), {q.x, q.y}) != turn ||
-            sideOfMoved(xy(c), xy(a), {q.x, q.y}) != turn) {
-            continue;
-        }
-        const bool below = a.z > q.z && b.z > q.z && c.z > q.z;
-        if (below || !movedIsAbove(t.corners, q, turn)) {
+        const int turn = lineCrossing(t.corners, q);
+        if (turn == 0) continue;
+        if (liesAbove(t.corners, q, turn)) {
             result.up += turn;
         } else {
             result.down -= turn;

@@ -27,7 +27,7 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
             "interior": {"type": "medial", "thesis": true, "material": "stone",
                          "materials": {"paint": "brick"}, "normals": "flat",
                          "creaseAngle": 30, "depthColor": true},
-            "allowOpen": true })",
+            "measure": true, "allowOpen": true })",
         "r.json");
     REQUIRE(recipe.has_value());
     CHECK(recipe->levels.size() == 2);
@@ -45,6 +45,8 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
           "_DEEP");
     CHECK(recipe->file == "r.json");
     CHECK(recipe->allowOpen);
+    CHECK(recipe->measure == true);
+    CHECK_FALSE(parseRecipe("{}", "r.json")->measure.has_value());
 }
 
 TEST_CASE("a bad recipe is refused with the pointer of the culprit and what would be right") {
@@ -56,6 +58,7 @@ TEST_CASE("a bad recipe is refused with the pointer of the culprit and what woul
     CHECK(errorOf(R"({"physics": {"density": -1}})").where == "r.json#/physics/density");
     CHECK(errorOf(R"({"physics": {"density": "heavy"}})").where == "r.json#/physics/density");
     CHECK(errorOf(R"({"physics": {"hullVertices": 3.5}})").where == "r.json#/physics/hullVertices");
+    CHECK(errorOf(R"({"measure": "all"})").where == "r.json#/measure");
     CHECK(errorOf(R"({"levels": []})").where == "r.json#/levels");
     CHECK(errorOf(R"({"levels": [{"name": "x"}]})").where == "r.json#/levels/0");
     CHECK(errorOf(R"({"interior": {"type": "jelly"}})").where == "r.json#/interior/type");

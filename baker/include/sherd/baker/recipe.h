@@ -96,7 +96,10 @@ struct Recipe {
     BitmapOptions bitmap;
     std::vector<std::pair<std::string, uint32_t>> levelOfColor;  ///< see MapReadOptions
     bool allowOpen = false;  ///< bake meshes with open or non-manifold edges; borders get a rim
-    unsigned threads = 2;    ///< at most; results do not depend on it
+    /// Whether the report also gets the measures that take time: coverage, protrusion,
+    /// self-intersections, thickness. Empty: `sherd-bake` takes them if a report is written.
+    std::optional<bool> measure;
+    unsigned threads = 2;  ///< at most; results do not depend on it
 };
 
 /// "medial". Error badArgument.

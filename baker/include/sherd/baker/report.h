@@ -32,6 +32,30 @@ struct BakedLevelReport {
     uint32_t components = 0;  ///< surface components the lines of this level make, before merging
     uint32_t closed = 0;      ///< of fragments: proven closed
     double volumeShare = 0;   ///< sum of the fragments' volumes over the object's
+    double hiddenShare = 0;   ///< of the fragments' surface: what shows only since they broke off
+    // Not measured where they are empty.
+    std::optional<double> coverageNone = {};         ///< share of the object that is in no fragment
+    std::optional<double> coverageDouble = {};       ///< share of it that is in several
+    std::optional<double> protrusion = {};           ///< the deepest, metres
+    std::optional<uint64_t> selfIntersections = {};  ///< of all fragments
+    std::optional<double> thinnest = {};             ///< of the thinnest fragment, metres
+};
+
+/// One piece; entry f is fragment f of the file, [0] the intact object.
+struct BakedFragmentReport {
+    std::string name;        ///< as drawn; may be empty
+    uint32_t level = 0;      ///< at which it first appears
+    bool closed = false;     ///< proven
+    double volume = 0;       ///< cubic metres
+    double hiddenShare = 0;  ///< of its surface
+    // Not measured where they are empty.
+    std::optional<double> overlap = {};  ///< share of it that lies in others of its level, too
+    std::optional<double> protrusion =
+        {};  ///< how far its hidden faces reach out of the object, metres
+    std::optional<uint64_t> selfIntersections =
+        {};                               ///< pairs of its triangles that cross or overlap
+    std::optional<double> thinnest = {};  ///< straight inwards from the surface, metres: as much as
+                                          ///< 5 % of the surface has at most
 };
 
 struct StageTime {
@@ -49,7 +73,8 @@ struct BakedObjectReport {
     double volume = 0;            ///< of the object, cubic metres; meaningless when open
     uint32_t boundaryEdges = 0;
     uint32_t bonds = 0;
-    std::vector<BakedLevelReport> levels;  ///< [0]: the intact object
+    std::vector<BakedLevelReport> levels;        ///< [0]: the intact object
+    std::vector<BakedFragmentReport> fragments;  ///< of all levels
     std::vector<BakeFinding> findings;
     std::vector<StageTime> stages;  ///< wall time; the medial surface runs beside the surface steps
 };
