@@ -103,8 +103,11 @@ class Bake {
         options.thesis = recipe_.interior.thesis;
         options.preSmoothing = recipe_.interior.preSmoothing;
         options.postSmoothing = recipe_.interior.postSmoothing;
+        options.separationAngle = recipe_.interior.separationAngle;
+        options.scaleAxis = recipe_.interior.scaleAxis;
+        options.smallestRadius = recipe_.interior.smallestRadius;
         options.threads = recipe_.threads;
-        Result<MedialSurface> medial = medialSurface(mesh_, options);
+        Result<MedialSurface> medial = medialSurface(mesh_, meshTopology_, options);
         medialSeconds_ = std::chrono::duration<double>(Clock::now() - start).count();
         return medial;
     }
@@ -143,15 +146,25 @@ class Bake {
     void stitchPieces(const MedialSurface& medial) {
         const StageTimer timer = stage("stitching", 0.6);
         report().stages.push_back({"medial surface (beside)", medialSeconds_});
-        report().stages.push_back({"of it, Delaunay", medial.qhullSeconds});
+        if (medial.delaunaySeconds > 0)
+            report().stages.push_back({"of it, Delaunay", medial.delaunaySeconds});
         for (const std::string& warning : medial.warnings)
             report().findings.push_back({"medial", warning, "", 1});
         const std::vector<MergedLeaf> small = mergeSmallLeaves(
             cut_.surface, cut_.topology, recipe_.minimumComponentShare, components_);
         const InsideTest inside(mesh_.positions, mesh_.triangles);
-        HiddenPoints hidden = hiddenPoints(cut_.surface, medial.points, inside, recipe_.threads);
-        sheet_ = plainSheet(cut_.surface, cut_.topology, std::move(hidden.points));
-        closePieces(inside);
+        const TriangleBvh outer(mesh_.positions, mesh_.triangles);
+        const HiddenMap map = [&](uint32_t triangle, const glm::dvec3& weights) {
+            return medial.at(triangle, weights);
+        };
+        sheet_ = plainSheet(cut_.surface, cut_.topology, hiddenPoints(mesh_, cut_.surface, map));
+        if (!recipe_.interior.thesis) {
+            SheetRefinement refinement{0.02 * diagonal_, 0.003 * diagonal_};
+            refinement.threads = recipe_.threads;
+            refineSheet(mesh_, cut_.surface, map, refinement, sheet_);
+        }
+        snapToFeet(1e-6 * diagonal_, sheet_);
+        closePieces({inside, outer, 1e-6 * diagonal_});
         reportPieces(mesh_, small, pieces_, report());
     }
 
@@ -176,14 +189,15 @@ class Bake {
             });
     }
 
-    void closePieces(const InsideTest& inside) {
+    void closePieces(const SolidTest& object) {
         std::vector<MergedLeaf> merged;
         do {
             if (recipe_.interior.type == InteriorType::solid) {
                 solid_ = findSolidLeaves(cut_, carried_, components_);
                 setHubs(sheet_, solid_.hubs);
             }
-            pieces_ = mendPieces(cut_.surface, cut_.topology, inside, sheet_, components_, solid_);
+            pieces_ = mendPieces(cut_.surface, cut_.topology, object, recipe_.threads, sheet_,
+                                 components_, solid_);
             merged.insert(merged.end(), pieces_.merged.begin(), pieces_.merged.end());
         } while (pieces_.stale);
         pieces_.merged = std::move(merged);

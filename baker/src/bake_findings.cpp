@@ -137,9 +137,7 @@ void reportFragments(const FractureSet& set, BakedObjectReport& report) {
             {"volume",
              "the pieces of level 1 hold " + text("%.4g %%", 100 * share) +
                  " of the object's volume: its walls are too thin or its parts too close for the "
-                 "medial "
-                 "surface found; set \"interior\": {\"preSmoothing\": 1} in a recipe, or refine "
-                 "the mesh",
+                 "medial surface found; refine the mesh, or give it another \"interior\"",
              "", 1});
     }
 }

@@ -159,7 +159,7 @@ SampleObject makeColumn() {
     column.mesh = columnMesh();
     column.texture = paintTexture(column.mesh, kTextureSize, paintColumn);
     column.roughness = 0.55;
-    column.stuff = {{0.62, 0.61, 0.59}, 2700, 10};
+    column.stuff = {{0.62, 0.61, 0.59}, 2700};
     column.cracks = columnCracks(column.mesh);
     return column;
 }

@@ -121,8 +121,7 @@ std::string toRecipe(const SampleObject& object) {
             std::string(object.name).append("_level").append(std::to_string(level)).append(".svg");
         recipe["levels"].push_back({{"map", map}});
     }
-    recipe["interior"] = {{"material", insideMaterialName(object)},
-                          {"preSmoothing", object.stuff.preSmoothing}};
+    recipe["interior"] = {{"material", insideMaterialName(object)}};
     recipe["physics"] = {{"density", object.stuff.density}};
     return recipe.dump(2).append("\n");
 }

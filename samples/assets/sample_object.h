@@ -15,9 +15,6 @@ namespace sherd::samples {
 struct Stuff {
     glm::dvec3 color{0.5};  ///< linear, of a broken face
     double density = 2400;  ///< kg/m^3
-    /// Steps that even out the surface before the middle of the solid is sought. They shrink it, so
-    /// a shell as thin as its triangles are wide bears hardly any.
-    int preSmoothing = 10;
 };
 
 struct SampleObject {

@@ -210,7 +210,7 @@ SampleObject makeVase() {
     vase.mesh = vaseMesh();
     vase.texture = paintTexture(vase.mesh, kTextureSize, paintVase);
     vase.roughness = 0.45;
-    vase.stuff = {{0.48, 0.20, 0.095}, 1900, 1};
+    vase.stuff = {{0.48, 0.20, 0.095}, 1900};
     vase.cracks = vaseCracks(vase.mesh);
     return vase;
 }

@@ -222,7 +222,7 @@ SampleObject makeWall() {
     computeNormals(wall.mesh, 32);
     wall.texture = paintTexture(wall.mesh, kTextureSize, paintWall);
     wall.roughness = 0.95;
-    wall.stuff = {{0.33, 0.30, 0.26}, 2300, 10};
+    wall.stuff = {{0.33, 0.30, 0.26}, 2300};
     wall.cracks = wallCracks(wall.mesh);
     return wall;
 }

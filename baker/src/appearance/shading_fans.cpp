@@ -29,8 +29,9 @@ ShadingFans shadingFans(const HiddenMesh& mesh, std::span<const uint32_t> opposi
         const uint32_t o = opposite[h];
         if (o == kNone || o < h) continue;
         const double least = mesh.faces[h / 3].wall ? facet : crease;
+        // A face without area has no direction: it must not join those on its two sides.
         const bool areaLess = areas[h / 3] == 0 || areas[o / 3] == 0;
-        if (!areaLess && glm::dot(normals[h / 3], normals[o / 3]) < least) continue;
+        if (areaLess || glm::dot(normals[h / 3], normals[o / 3]) < least) continue;
         fans.unite(h, nextCorner(o));
         fans.unite(nextCorner(h), o);
     }

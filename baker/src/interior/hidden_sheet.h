@@ -10,22 +10,15 @@
 #include <span>
 #include <vector>
 
+#include "geometry/bisection.h"
 #include "surface/mesh_topology.h"
 #include "surface/split_surface.h"
 
 namespace sherd {
 
-/// A refinement of the split surface. Vertices [0, split vertices) are the split surface's. Half
-/// edge 3 * triangle + k runs from corner k to corner k + 1.
-struct HiddenSheet {
-    struct Triangle {
-        std::array<uint32_t, 3> v;
-        uint32_t parent;                ///< triangle of the split surface
-        std::array<uint32_t, 3> along;  ///< the split surface's half edge that side k lies on;
-                                        ///< kNone: side k lies inside the parent
-    };
-    std::vector<Triangle> triangles;    ///< sorted by parent
-    std::vector<uint32_t> opposite;     ///< per half edge, as in MeshTopology
+/// A refinement of the split surface, its parent. Vertices [0, split vertices) are the split
+/// surface's.
+struct HiddenSheet : BisectedTriangles {
     std::vector<VertexOrigin> origins;  ///< per vertex: its foot on the mesh
     std::vector<glm::vec3> feet;        ///< per vertex: where it stands on the surface
     std::vector<glm::vec3> points;      ///< per vertex: the hidden point M below it
@@ -40,7 +33,8 @@ HiddenSheet plainSheet(const SplitSurface& surface, const MeshTopology& topology
 /// Puts hubs in the place of those the sheet had.
 void setHubs(HiddenSheet& sheet, std::span<const glm::vec3> hubs);
 
-/// An origin as weights of the three corners of the mesh triangle it lies in.
-glm::dvec3 weightsOf(const VertexOrigin& origin, const std::array<uint32_t, 3>& meshTriangle);
+/// Hidden points nearer to their feet than this (metres) come to lie on them: rounding must not
+/// leave slivers of walls along creases, where there is no room below.
+void snapToFeet(double distance, HiddenSheet& sheet);
 
 }  // namespace sherd

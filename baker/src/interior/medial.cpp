@@ -1,350 +1,234 @@
 // SPDX-License-Identifier: MIT
-// The medial surface by Voronoi poles (Amenta and Bern 1999) of the smoothed surface, after
-// T. Casella, "Artist-Driven Fracturing of Polyhedral Surface Meshes" (2013), 4.8. Smoothing first
-// removes the fine detail whose medial branches would make the sheet jagged. Where we deviate: no
-// smoothing of the poles afterwards, and a ladder for poles that are outside the original solid:
-// the mean of the neighbours' inner points (keeps the sheet whole), else the tangent ball of the
-// original surface, else half the way back to the vertex, a quarter..., else the vertex itself.
-// And poles only know vertices: those whose balls cross a triangle give way to tangent balls.
+// The medial surface by tangent balls. T. Casella, "Artist-Driven Fracturing of Polyhedral Surface
+// Meshes" (2013), 4.8, takes the Voronoi poles of the vertices; we ask for the largest ball below
+// each vertex (and, where the mesh is coarse, below places between), because a ball knows
+// triangles, not only vertices, and needs no Delaunay triangulation of everything. What the thesis
+// says of noise (6.3.1) is met before (a little smoothing, the separation angle) and after (the
+// scale axis).
 //
-// What that is worth, over 18 meshes and on the shell of an abalone, thinner than its vertices are
-// apart. If every triangle were a piece: % of the object in no piece / in two / of pieces outside
-// the object (20,000 points each), and % of the surface whose prism is inverted.
-//                                       mean of all          abalone
-//   poles only                          0.71 / 0.36 / 2.32   3.75 / 1.81 / 39.4, 22.7 inverted
-//   this                                0.52 / 0.30 / 0.08   1.75 / 3.40 / 0.06,  0.3 inverted
-//   never balls of the original wall    0.52 / 0.16 / 3.32   2.21 / 1.08 / 59.1, 26.3 inverted
-//   those at creases too                1.84 / 0.46 / 0.13   2.16 / 3.21 / 0.01,  0.2 inverted;
-//                                       a coarse wall with a window: 23 instead of 0.85 in none
-//   their normals not smoothed          0.49 / 0.44 / 0.07   1.72 / 3.77 / 0.01,  0.2 inverted
-// Of 108 pieces drawn on the abalone 33 had been inside out and 32 of them were merged: now none.
-// In no piece were 7.6 %, now 1.8 %, in two 0.6 %, now 1.2 %; pieces stuck out by 5.8 % of the
-// diagonal, now by 0.35 %.
-//
-// Poles only, 16 meshes (48 to 59,664 triangles, 4 of them open), % in no piece / in two:
-//   this: 12 steps                              0.68 % / 0.29 %
-//   10 steps 0.79 / 0.34, 15 steps 0.56 / 0.31, 20 steps 2.41 / 0.22 (one pillar of many small
-//   parts alone goes from 0.3 to 31 %), 30 steps 0.53 / 0.34; more steps, more inverted prisms
-//   the thesis' 10 before and 10 after          4.0 % / 0.03 %
-// With 10 steps and the neighbours' mean:
-//   balls along the normal instead of poles     0.55 % / 0.87 %, worse on scans (skull 1.4 / 0.2)
-//   only poles with clearance >= 0.1 radius     2.7 % / 0.3 %
-// With 10 steps and the tangent ball instead of the neighbours' mean 1.44 % / 0.84 %, and then with
-// poles sought only among the inner Voronoi vertices 1.05 % / 0.55 %; compared to the latter:
-//   cotangent weights 1.65 / 0.98, Taubin instead of Laplace 4.2 / 1.4, no smoothing 9.1 / 0.6
-// Skull (41,000 triangles): 0.77 % / 0.00 %; 330 ms in Qhull and 60 ms of the rest, one thread, to
-// which the search for crossed triangles adds about a quarter of Qhull's time.
+// Measured over 11 closed meshes, 48 to 41,000 triangles, were every triangle a piece of its own: %
+// of the object in no piece / in two / of pieces outside the object (4,000 points each).
+//   this                                       0.70 / 0.15 / 0.00; worst 1.95 (abalone) / 0.58
+//   poles of the surface smoothed by 12 steps, with balls against triangles where they crossed a
+//   wall                                       0.46 / 0.32 / 0.01; worst 1.68 / 3.50, both abalone
+//   no scale axis, separation angle 60         1.12 / 0.54 / 0.00, skull 1.6 in two; 45: 1.66 /
+//   0.22 scale axis 1.05 / 1.1 / 1.3, angle 60      0.99 / 0.47, 0.94 / 0.33, 0.96 / 0.18 and 0.01
+//   out smoothing 0 / 3 / 6 steps, axis 1.3        1.18 / 0.21, 0.98 / 0.19, 0.96 / 0.18 vertices
+//   only, nothing refined             18.9 in none: coarse meshes have nothing but creases
 #include "interior/medial.h"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <optional>
-#include <utility>
 
 #include "geometry/inside_test.h"
-#include "geometry/triangle_bvh.h"
-#include "geometry/voronoi.h"
-#include "interior/poles.h"
+#include "interior/medial_mesh.h"
+#include "interior/pole_medial.h"
+#include "interior/scale_axis.h"
 #include "interior/smoothing.h"
-#include "interior/tangent_ball.h"
-#include "interior/wall_balls.h"
 
 namespace sherd {
 namespace {
 
-constexpr int kThesisSteps = 10;
-
-/// The mesh moved and scaled to a box of size 1 around the origin, by a power of two: input scaled
-/// by a power of two gives the same bits here.
-struct UnitFrame {
-    glm::dvec3 centre{0};
-    int exponent = 0;     ///< one unit is 2^exponent
-    double diagonal = 0;  ///< of the bounding box, in units
-
-    explicit UnitFrame(const SurfaceMesh& mesh) {
-        glm::dvec3 low(0), high(0);
-        bool first = true;
-        for (const auto& t : mesh.triangles) {
-            for (const uint32_t v : t) {
-                const glm::dvec3 p(mesh.positions[v]);
-                low = first ? p : glm::min(low, p);
-                high = first ? p : glm::max(high, p);
-                first = false;
-            }
-        }
-        const glm::dvec3 size = high - low;
-        centre = low + size / 2.0;
-        std::frexp(std::max({size.x, size.y, size.z}), &exponent);
-        diagonal = std::ldexp(glm::length(size), -exponent);
-    }
-    glm::dvec3 toUnit(const glm::vec3& p) const {
-        return (glm::dvec3(p) - centre) * std::ldexp(1.0, -exponent);
-    }
-    glm::vec3 toObject(const glm::dvec3& p) const {
-        return glm::vec3(centre + p * std::ldexp(1.0, exponent));
-    }
-};
-
 /// One run; stages in order of the members below.
 class MedialBuilder {
   public:
-    MedialBuilder(const SurfaceMesh& mesh, const MedialOptions& options)
+    MedialBuilder(const SurfaceMesh& mesh, const MeshTopology& topology,
+                  const MedialOptions& options)
         : mesh_(mesh),
           options_(options),
-          frame_(mesh),
-          insideTest_(mesh.positions, mesh.triangles) {
-        unit_.reserve(mesh.positions.size());
-        for (const glm::vec3& p : mesh.positions) unit_.push_back(frame_.toUnit(p));
-        used_.assign(unit_.size(), 0);
-        for (const auto& t : mesh.triangles) {
-            for (const uint32_t v : t) used_[v] = 1;
-        }
-    }
+          inside_(mesh.positions, mesh.triangles),
+          medial_(mesh, topology, options) {}
 
     MedialSurface run() {
-        findPoles();
-        smoothMedial();
-        mend();
+        medial_.refine();
+        rings_.emplace(medial_.rings());
+        takeCentres();
+        filter();
+        fill();
+        smooth();
+        settle();
+        result_.triangles = std::move(medial_.triangles());
         return std::move(result_);
     }
 
   private:
-    void findPoles();
-    void smoothMedial();
-    void mend();
-    void fillFromNeighbours();
-    void mendOneByOne();
-    glm::vec3 mended(uint32_t v);
-    std::optional<glm::vec3> pulledBack(uint32_t v, glm::dvec3 point);
-    void shrinkThroughWalls(const std::vector<glm::dvec3>& surface,
-                            const std::vector<glm::dvec3>& normals);
-    bool inSolid(const glm::dvec3& point) {
-        return insideTest_.inside(glm::dvec3(frame_.toObject(point)));
-    }
-
-    /// What balls of the original surface need; made for the first of them.
-    struct Original {
-        TriangleBvh bvh;
-        std::vector<glm::dvec3> normals;  ///< smoothed a little: noise would tilt the balls
-    };
-    const Original& original();
-    double originalRadius(uint32_t v);
-    std::optional<glm::dvec3> ballInFlatWall(uint32_t v);
+    void takeCentres();
+    void filter();
+    void fill();
+    void smooth();
+    void settle();
+    std::vector<uint8_t> areInside() const;
+    glm::vec3 toObject(const glm::vec3& p) const { return medial_.frame().toObject(glm::dvec3(p)); }
 
     const SurfaceMesh& mesh_;
     const MedialOptions& options_;
-    UnitFrame frame_;
-    InsideTest insideTest_;
-    std::vector<glm::dvec3> unit_;                  ///< positions in the unit frame
-    std::vector<uint8_t> used_;                     ///< has a triangle
-    std::vector<std::optional<glm::dvec3>> poles_;  ///< unit frame; none: no pole on the inner side
-    std::vector<uint8_t> good_;                     ///< has an inner point
-    std::optional<Original> original_;
+    InsideTest inside_;
+    MedialMesh medial_;
+    std::optional<VertexRings> rings_;  ///< of the refined mesh
+    std::vector<glm::vec3> centres_;
+    std::vector<float> radii_;  ///< negative: no ball that counts
+    std::vector<uint8_t> own_;  ///< stands by its own ball
+    std::vector<uint32_t> covering_;
     MedialSurface result_;
 };
 
-void MedialBuilder::findPoles() {
-    poles_.assign(unit_.size(), std::nullopt);
-    SmoothingOptions smoothing;
-    smoothing.iterations = options_.thesis ? kThesisSteps : options_.preSmoothing;
-    const std::vector<glm::dvec3> surface = smoothed(unit_, mesh_.triangles, smoothing);
-    const std::vector<glm::dvec3> normals = vertexNormals(surface, mesh_.triangles);
-    std::vector<glm::dvec3> sites, siteNormals;
-    std::vector<uint32_t> vertexOfSite;
-    for (uint32_t v = 0; v < surface.size(); ++v) {
-        if (used_[v] == 0) continue;
-        sites.push_back(surface[v]);
-        siteNormals.push_back(normals[v]);
-        vertexOfSite.push_back(v);
-    }
-    const auto start = std::chrono::steady_clock::now();
-    const Result<VoronoiVertices> voronoi = voronoiVertices(sites);
-    const auto end = std::chrono::steady_clock::now();
-    result_.qhullSeconds = std::chrono::duration<double>(end - start).count();
-    if (!voronoi) {
-        result_.warnings.push_back("no medial poles, tangent balls instead: " +
-                                   voronoi.error().message);
-        return;
-    }
-    const std::vector<uint32_t> poles =
-        innerPoles(sites, siteNormals, *voronoi, frame_.diagonal / 2);
-    for (uint32_t s = 0; s < sites.size(); ++s) {
-        if (poles[s] != kNoPole) poles_[vertexOfSite[s]] = voronoi->points[poles[s]];
-    }
-    if (!options_.thesis) shrinkThroughWalls(surface, normals);
+/// Of the centres, whose rounding to the object's frame is inside.
+std::vector<uint8_t> MedialBuilder::areInside() const {
+    std::vector<glm::vec3> points;
+    points.reserve(centres_.size());
+    for (const glm::vec3& c : centres_) points.push_back(toObject(c));
+    std::vector<uint8_t> result(points.size());
+    inside_.inside(points, result, options_.threads);
+    return result;
 }
 
-/// Balls that reach through a wall are shrunk on the smoothed surface first; if smoothing has moved
-/// the wall off itself, on the original one.
-void MedialBuilder::shrinkThroughWalls(const std::vector<glm::dvec3>& surface,
-                                       const std::vector<glm::dvec3>& normals) {
-    const WallSurface wall{surface, mesh_.triangles, normals};
-    const auto centres = ballsBetweenWalls(wall, poles_, options_.threads);
-    for (uint32_t v = 0; v < centres.size(); ++v) {
-        if (!centres[v]) continue;
-        ++result_.throughWalls;
-        poles_[v] = inSolid(*centres[v]) ? centres[v] : ballInFlatWall(v);
+void MedialBuilder::takeCentres() {
+    const size_t count = medial_.feet().size();
+    centres_.resize(count);
+    radii_.resize(count);
+    own_.assign(count, 1);
+    for (size_t v = 0; v < count; ++v) {
+        centres_[v] = medial_.centre(v);
+        radii_[v] = medial_.radius(v);
+    }
+    const std::vector<uint8_t> inside = areInside();
+    const auto smallest = static_cast<float>(options_.smallestRadius * medial_.frame().diagonal);
+    for (size_t v = 0; v < count; ++v) {
+        const bool counts = medial_.hasBall(v) && radii_[v] >= smallest;
+        // A ball of no size is at a crease, on the surface.
+        if (inside[v] == 0 && radii_[v] > 0) ++result_.outside;
+        if (counts && (inside[v] != 0 || radii_[v] == 0)) continue;
+        own_[v] = 0;
+        radii_[v] = -1;
     }
 }
 
-const MedialBuilder::Original& MedialBuilder::original() {
-    if (!original_) {
-        SmoothingOptions little;
-        little.iterations = 4;
-        original_.emplace(
-            Original{TriangleBvh(mesh_.positions, mesh_.triangles),
-                     vertexNormals(smoothed(unit_, mesh_.triangles, little), mesh_.triangles)});
-    }
-    return *original_;
-}
-
-/// Of the tangent ball at v, in units; v must have a normal.
-double MedialBuilder::originalRadius(uint32_t v) {
-    const double unit = std::ldexp(1.0, frame_.exponent);
-    return tangentBallRadius(original().bvh, mesh_.triangles, v, glm::dvec3(mesh_.positions[v]),
-                             original().normals[v], frame_.diagonal / 2 * unit) /
-           unit;
-}
-
-/// The centre of the original surface's ball at v, where v is no crease: at one the triangles
-/// around v cut into the ball, and the neighbours' mean is better.
-std::optional<glm::dvec3> MedialBuilder::ballInFlatWall(uint32_t v) {
-    constexpr double kFlat = 0.98;  // of the radius
-    const glm::dvec3 normal = original().normals[v];
-    if (!(glm::dot(normal, normal) > 0)) return std::nullopt;
-    const double radius = originalRadius(v);
-    const glm::dvec3 centre = unit_[v] - radius * normal;
-    if (!inSolid(centre)) return std::nullopt;
-    const double reach = std::ldexp(kFlat * radius, frame_.exponent);
-    const glm::dvec3 point(frame_.toObject(centre));
-    if (original().bvh.closest(point, reach).triangle != ClosestPoint::kNone) return std::nullopt;
-    ++result_.ballsInWalls;
-    return centre;
-}
-
-void MedialBuilder::smoothMedial() {
-    SmoothingOptions smoothing;
-    smoothing.iterations = options_.thesis ? kThesisSteps : options_.postSmoothing;
-    if (smoothing.iterations == 0) return;
-    if (!options_.thesis) {
-        smoothing.lambda = 0.5;
-        smoothing.mu = -0.53;
-    }
-    std::vector<glm::dvec3> points(unit_);
-    for (size_t v = 0; v < points.size(); ++v) points[v] = poles_[v].value_or(unit_[v]);
-    points = smoothed(points, mesh_.triangles, smoothing);
-    for (size_t v = 0; v < points.size(); ++v) {
-        if (poles_[v]) poles_[v] = points[v];
+void MedialBuilder::filter() {
+    covering_ = coveringBalls(centres_, radii_, *rings_, static_cast<float>(options_.scaleAxis));
+    for (uint32_t v = 0; v < covering_.size(); ++v) {
+        if (covering_[v] == v || own_[v] == 0) continue;
+        own_[v] = 0;
+        ++result_.covered;
     }
 }
 
-void MedialBuilder::mend() {
-    std::vector<glm::vec3>& points = result_.points;
-    points = mesh_.positions;
-    for (size_t v = 0; v < points.size(); ++v) {
-        if (poles_[v]) points[v] = frame_.toObject(*poles_[v]);
+/// Vertices that do not stand by a ball of their own get a sheet spanned between those that do.
+void MedialBuilder::fill() {
+    constexpr int kSteps = 10;
+    const VertexRings& rings = *rings_;
+    std::vector<uint32_t> open;
+    std::vector<uint8_t> known(own_);
+    for (uint32_t v = 0; v < own_.size(); ++v) {
+        if (own_[v] != 0 || rings.of(v).empty()) continue;
+        open.push_back(v);
+        if (covering_[v] == v) continue;
+        centres_[v] = centres_[covering_[v]];
+        known[v] = 1;
     }
-    good_.resize(points.size());
-    insideTest_.inside(points, good_, options_.threads);
-    for (size_t v = 0; v < points.size(); ++v) {
-        if (!poles_[v]) good_[v] = 0;
-        if (used_[v] == 0) ++result_.onSurface;
-        if (used_[v] != 0 && good_[v] == 0) ++result_.outsideBefore;
-    }
-    if (result_.outsideBefore > 0) {
-        if (!options_.thesis) fillFromNeighbours();
-        mendOneByOne();
-    }
-    std::vector<uint8_t> inside(points.size());
-    insideTest_.inside(points, inside, options_.threads);
-    for (size_t v = 0; v < points.size(); ++v) {
-        if (inside[v] == 0 && points[v] != mesh_.positions[v]) ++result_.outsideAfter;
-    }
-}
-
-/// Vertices without an inner point take the mean of their neighbours' where that is inside, ring by
-/// ring from the rim of the gap.
-void MedialBuilder::fillFromNeighbours() {
-    std::vector<std::array<uint32_t, 3>> around;  // triangles with such a vertex
-    for (const auto& t : mesh_.triangles) {
-        if (good_[t[0]] == 0 || good_[t[1]] == 0 || good_[t[2]] == 0) around.push_back(t);
-    }
-    std::map<uint32_t, std::pair<glm::dvec3, int>> sums;
-    for (bool changed = true; changed;) {
-        changed = false;
-        sums.clear();
-        for (const auto& t : around) {
-            for (int k = 0; k < 6; ++k) {
-                const uint32_t to = t[k % 3], from = t[(k + 1 + k / 3) % 3];
-                if (good_[to] != 0 || good_[from] == 0) continue;
-                auto& [sum, count] = sums.try_emplace(to, glm::dvec3(0.0), 0).first->second;
-                sum += frame_.toUnit(result_.points[from]);
+    std::vector<std::pair<uint32_t, glm::vec3>> moved;
+    const auto step = [&] {
+        moved.clear();
+        for (const uint32_t v : open) {
+            glm::vec3 sum(0.0F);
+            float count = 0;
+            for (const uint32_t u : rings.of(v)) {
+                if (known[u] == 0) continue;
+                sum += centres_[u];
                 ++count;
             }
+            if (count > 0) moved.emplace_back(v, sum / count);
         }
-        for (const auto& [v, sum] : sums) {
-            const glm::vec3 mean = frame_.toObject(sum.first / static_cast<double>(sum.second));
-            if (!insideTest_.inside(glm::dvec3(mean))) continue;
-            result_.points[v] = mean;
-            good_[v] = 1;
-            ++result_.fromNeighbours;
-            changed = true;
+        bool grew = false;
+        for (const auto& [v, c] : moved) {
+            centres_[v] = c;
+            grew = grew || known[v] == 0;
+            known[v] = 1;
         }
+        return grew;
+    };
+    while (step()) {
+    }
+    for (int i = 1; i < kSteps; ++i) step();
+    for (const uint32_t v : open)
+        if (known[v] == 0) centres_[v] = medial_.feet()[v];
+}
+
+void MedialBuilder::smooth() {
+    if (options_.postSmoothing == 0) return;
+    SmoothingOptions smoothing;
+    smoothing.iterations = options_.postSmoothing;
+    smoothing.lambda = 0.5;
+    smoothing.mu = -0.53;
+    std::vector<std::array<uint32_t, 3>> triangles;
+    for (const auto& t : medial_.triangles().triangles) triangles.push_back(t.v);
+    const std::vector<glm::dvec3> points(centres_.begin(), centres_.end());
+    const std::vector<glm::dvec3> moved = smoothed(points, triangles, smoothing);
+    centres_.assign(moved.begin(), moved.end());
+}
+
+/// Whatever is outside goes back towards its foot by halves.
+void MedialBuilder::settle() {
+    constexpr int kMaxHalvings = 20;
+    const std::vector<glm::vec3>& feet = medial_.feet();
+    std::vector<uint8_t> inside = areInside();
+    result_.points.resize(centres_.size());
+    for (size_t v = 0; v < centres_.size(); ++v) {
+        const bool isMesh = v < mesh_.positions.size();
+        const glm::vec3 foot = isMesh ? mesh_.positions[v] : toObject(feet[v]);
+        glm::vec3& point = result_.points[v];
+        point = toObject(centres_[v]);
+        if (inside[v] == 0 && centres_[v] != feet[v]) ++result_.pulledBack;
+        for (int i = 0; i < kMaxHalvings && inside[v] == 0; ++i) {
+            centres_[v] = 0.5F * (centres_[v] + feet[v]);
+            point = toObject(centres_[v]);
+            inside[v] = inside_.inside(glm::dvec3(point)) ? 1 : 0;
+        }
+        if (inside[v] == 0) point = foot;
+        if (point == foot) ++result_.onSurface;
     }
 }
 
-void MedialBuilder::mendOneByOne() {
-    for (uint32_t v = 0; v < unit_.size(); ++v) {
-        if (good_[v] == 0 && used_[v] != 0) result_.points[v] = mended(v);
-    }
-}
-
-/// The ball of the original surface at v, or the nearest point on the way to it (or to the pole, as
-/// the thesis has it) that is inside.
-glm::vec3 MedialBuilder::mended(uint32_t v) {
-    const glm::dvec3 normal = options_.thesis ? glm::dvec3(0.0) : original().normals[v];
-    if (glm::dot(normal, normal) > 0) {
-        const glm::dvec3 centre = unit_[v] - originalRadius(v) * normal;
-        if (inSolid(centre)) {
-            ++result_.fallbackRaw;
-            return frame_.toObject(centre);
-        }
-        if (const auto back = pulledBack(v, centre)) return *back;
-    }
-    if (poles_[v]) {
-        if (const auto back = pulledBack(v, *poles_[v])) return *back;
-    }
-    ++result_.onSurface;
-    return mesh_.positions[v];
-}
-
-std::optional<glm::vec3> MedialBuilder::pulledBack(uint32_t v, glm::dvec3 point) {
-    constexpr int kMaxHalvings = 20;  // 1e-6 of the way
-    for (int i = 0; i < kMaxHalvings; ++i) {
-        point = unit_[v] + (point - unit_[v]) / 2.0;
-        const glm::vec3 rounded = frame_.toObject(point);
-        if (rounded == mesh_.positions[v]) return std::nullopt;
-        if (insideTest_.inside(glm::dvec3(rounded))) {
-            ++result_.pulledBack;
-            return rounded;
-        }
-    }
-    return std::nullopt;
+Result<MedialSurface> fromPoles(const SurfaceMesh& mesh, const MeshTopology& topology,
+                                const MedialOptions& options) {
+    PoleMedialOptions poleOptions;
+    poleOptions.threads = options.threads;
+    Result<PoleMedialSurface> poles = poleMedialSurface(mesh, poleOptions);
+    if (!poles) return tl::unexpected(poles.error());
+    MedialSurface result;
+    result.triangles = BisectedTriangles(mesh.triangles, topology.opposite);
+    result.points = std::move(poles->points);
+    result.outside = poles->outside;
+    result.pulledBack = poles->pulledBack;
+    result.onSurface = poles->onSurface;
+    result.delaunaySeconds = poles->qhullSeconds;
+    result.warnings = std::move(poles->warnings);
+    return result;
 }
 
 }  // namespace
 
-Result<MedialSurface> medialSurface(const SurfaceMesh& mesh, const MedialOptions& options) {
-    const auto inRange = [](int steps) { return steps >= 0 && steps <= 1000; };
-    if (!inRange(options.preSmoothing) || !inRange(options.postSmoothing)) {
-        return fail(ErrorCode::badArgument,
-                    "smoothing steps of the medial surface must be 0 to 1000");
-    }
-    return MedialBuilder(mesh, options).run();
+glm::dvec3 MedialSurface::at(uint32_t triangle, const glm::dvec3& weights) const {
+    const auto [v, w] = triangles.locate(triangle, weights);
+    return w.x * glm::dvec3(points[v[0]]) + w.y * glm::dvec3(points[v[1]]) +
+           w.z * glm::dvec3(points[v[2]]);
+}
+
+Result<MedialSurface> medialSurface(const SurfaceMesh& mesh, const MeshTopology& topology,
+                                    const MedialOptions& options) {
+    const auto refuse = [](const std::string& what) {
+        return fail(ErrorCode::badArgument, "of the medial surface, " + what);
+    };
+    const auto within = [](double x, double low, double high) { return x >= low && x <= high; };
+    if (!within(options.preSmoothing, 0, 1000) || !within(options.postSmoothing, 0, 1000))
+        return refuse("smoothing steps must be 0 to 1000");
+    if (!within(options.separationAngle, 0, 180))
+        return refuse("the separation angle must be 0 to 180 degrees");
+    if (!within(options.scaleAxis, 1, 10)) return refuse("the scale axis must be 1 to 10");
+    if (!within(options.smallestRadius, 0, 1))
+        return refuse("the smallest radius must be 0 to 1 diagonal");
+    if (options.thesis) return fromPoles(mesh, topology, options);
+    return MedialBuilder(mesh, topology, options).run();
 }
 
 }  // namespace sherd

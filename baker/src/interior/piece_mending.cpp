@@ -87,26 +87,32 @@ void shell(const SplitSurface& surface, const Components& components, const Thin
 }  // namespace
 
 MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topology,
-                        const InsideTest& inside, HiddenSheet& sheet, Components& components,
-                        const SolidLeaves& solid) {
+                        const SolidTest& object, unsigned threads, HiddenSheet& sheet,
+                        Components& components, const SolidLeaves& solid) {
     MendedPieces result;
     result.faces = stitch(surface, topology, sheet, components, solid);
-    std::vector<MassProperties> leaves = measure(surface, sheet, components, result.faces);
-    std::vector<uint32_t> empty = emptyLeaves(leaves);
-    result.thinned = static_cast<uint32_t>(empty.size());
-    for (int round = 0; round < 6 && !empty.empty(); ++round) {
-        thin(components, inside, empty, sheet);
+    std::vector<MassProperties> leaves;
+    std::vector<uint32_t> empty;
+    const auto settle = [&] {
+        const Containment done = keepInside(object, surface, result.faces, threads, sheet);
+        result.containment.pulled += done.pulled;
+        result.containment.protruding = done.protruding;
         leaves = measure(surface, sheet, components, result.faces);
         empty = emptyLeaves(leaves);
+    };
+    settle();
+    result.thinned = static_cast<uint32_t>(empty.size());
+    for (int round = 0; round < 6 && !empty.empty(); ++round) {
+        thin(components, object.inside, empty, sheet);
+        settle();
     }
     if (!empty.empty()) {
-        const ThinShell below(sheet, inside);
+        const ThinShell below(sheet, object.inside);
         const auto before = static_cast<uint32_t>(empty.size());
         for (const double share : {0.4, 0.1, 0.02}) {
             if (empty.empty()) break;
             shell(surface, components, below, empty, share, sheet);
-            leaves = measure(surface, sheet, components, result.faces);
-            empty = emptyLeaves(leaves);
+            settle();
         }
         result.shelled = before - std::min(before, static_cast<uint32_t>(empty.size()));
     }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/inside_test.h"
+#include "interior/sheet_containment.h"
 #include "interior/stitching.h"
 #include "surface/component_merging.h"
 
@@ -15,18 +15,19 @@ struct MendedPieces {
     uint32_t thinned = 0;            ///< pieces whose hidden points were moved towards the surface
     uint32_t shelled = 0;            ///< of these, pieces that got a shell instead
     std::vector<MergedLeaf> merged;  ///< pieces that had no volume even so
+    Containment containment;         ///< hidden points that would have stuck out
     uint32_t empty = 0;              ///< pieces without volume that could not even be merged
     std::vector<HiddenFace> faces;   ///< the stitched hidden faces of the final leaves
     bool stale = false;  ///< leaves were merged and solid ones are to be found anew: mend again
 };
 
-/// For a piece of no positive volume its hidden points go back towards the surface by halves, at
-/// most six times; failing that it gets a shell of even thickness; failing that it is merged into
-/// the neighbour with the longest border. Changes the sheet's points and `components`; what is left
-/// afterwards has positive volume, unless the whole object has none. With solid leaves it stops
-/// after the first merging.
+/// First nothing may stick out of the object. For a piece of no positive volume its hidden points
+/// go back towards the surface by halves, at most six times; failing that it gets a shell of even
+/// thickness; failing that it is merged into the neighbour with the longest border. Changes the
+/// sheet's points and `components`; what is left afterwards has positive volume, unless the whole
+/// object has none. With solid leaves it stops after the first merging.
 MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topology,
-                        const InsideTest& inside, HiddenSheet& sheet, Components& components,
-                        const SolidLeaves& solid = {});
+                        const SolidTest& object, unsigned threads, HiddenSheet& sheet,
+                        Components& components, const SolidLeaves& solid = {});
 
 }  // namespace sherd

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct SmoothingOptions {
     int iterations = 10;
     double lambda = 1;  ///< share of the way to the neighbours' mean, 0..1
     double mu = 0;      ///< Taubin's second, negative step; 0: none
+    double reach = std::numeric_limits<double>::infinity();  ///< a point stops after k steps, once
+                                                             ///< sqrt(k) of its edges are longer
 };
 
 /// Moves each point towards the weighted mean of its neighbours in the triangulation, several

@@ -5,6 +5,26 @@
 
 namespace sherd {
 
+glm::dvec3 weightsOf(const VertexOrigin& origin, const std::array<uint32_t, 3>& meshTriangle) {
+    glm::dvec3 weights(0.0);
+    for (int k = 0; k < 3; ++k) {
+        if (origin.weights[k] == 0) continue;
+        for (int corner = 0; corner < 3; ++corner) {
+            if (meshTriangle[static_cast<size_t>(corner)] !=
+                origin.vertices[static_cast<size_t>(k)])
+                continue;
+            weights[corner] += origin.weights[k];
+            break;
+        }
+    }
+    return weights;
+}
+
+VertexOrigin middleOrigin(const VertexOrigin& a, const VertexOrigin& b,
+                          const std::array<uint32_t, 3>& meshTriangle) {
+    return {meshTriangle, 0.5 * (weightsOf(a, meshTriangle) + weightsOf(b, meshTriangle))};
+}
+
 SplitSurface uncutSurface(const SurfaceMesh& mesh) {
     SplitSurface surface;
     surface.meshVertices = static_cast<uint32_t>(mesh.positions.size());

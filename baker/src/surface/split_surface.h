@@ -20,6 +20,13 @@ struct VertexOrigin {
     glm::dvec3 weights{1.0, 0.0, 0.0};
 };
 
+/// An origin as weights of the three corners of the mesh triangle it lies in.
+glm::dvec3 weightsOf(const VertexOrigin& origin, const std::array<uint32_t, 3>& meshTriangle);
+
+/// Half way between two origins in one mesh triangle.
+VertexOrigin middleOrigin(const VertexOrigin& a, const VertexOrigin& b,
+                          const std::array<uint32_t, 3>& meshTriangle);
+
 struct SplitTriangle {
     std::array<uint32_t, 3> v;     ///< split vertices
     uint32_t source;               ///< triangle of the mesh

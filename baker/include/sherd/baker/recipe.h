@@ -32,11 +32,15 @@ enum class InteriorNormals : uint8_t {
 /// How pieces look inside.
 struct InteriorSettings {
     InteriorType type = InteriorType::medial;
-    bool thesis = false;    ///< the thesis' own: 10 Laplacian steps before and after, and
-                            ///< line ends on both sides of a seam averaged in order
-    int preSmoothing = 12;  ///< 0..1000 steps before the medial surface is sought
-    int postSmoothing = 0;  ///< 0..1000 steps on the medial surface; each loses volume
-    std::string material;   ///< name of a material of the model; empty: a neutral one is added
+    bool thesis = false;          ///< the thesis' own: 10 Laplacian steps before and after, and
+                                  ///< line ends on both sides of a seam averaged in order
+    int preSmoothing = 3;         ///< 0..1000 steps before the medial surface is sought
+    int postSmoothing = 0;        ///< 0..1000 steps on the medial surface; each loses volume
+    double separationAngle = 50;  ///< degrees, 0..180: walls a ball sees nearer together than this
+                                  ///< make no branch of the medial surface (thesis 6.3.1)
+    double scaleAxis = 1.2;       ///< 1..10: balls that others cover when scaled by this make none
+    double smallestRadius = 0;    ///< 0..1 of the diagonal: smaller balls make none (thesis 6.3.1)
+    std::string material;  ///< name of a material of the model; empty: a neutral one is added
     /// By name, for faces below a material of the outer surface; `material` below all others.
     std::map<std::string, std::string> materials;
     double uvMetresPerTile =

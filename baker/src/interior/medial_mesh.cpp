@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "interior/medial_mesh.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "geometry/edge_refinement.h"
+#include "interior/corner_normals.h"
+#include "interior/poles.h"
+#include "interior/smoothing.h"
+#include "interior/vertex_balls.h"
+
+namespace sherd {
+namespace {
+
+glm::vec3 unitOrZero(const glm::dvec3& n) {
+    const double length = glm::length(n);
+    return length > 1e-6 ? glm::vec3(n / length) : glm::vec3(0.0F);
+}
+
+std::vector<glm::dvec3> inUnits(const SurfaceMesh& mesh, const UnitFrame& frame) {
+    std::vector<glm::dvec3> unit;
+    unit.reserve(mesh.positions.size());
+    for (const glm::vec3& p : mesh.positions) unit.push_back(frame.toUnit(glm::dvec3(p)));
+    return unit;
+}
+
+/// Smoothing that moves points along the surface would only tell balls of other places: what counts
+/// is how far it moves them along their normals.
+std::vector<glm::dvec3> smoothedSurface(const SurfaceMesh& mesh, const UnitFrame& frame,
+                                        const MedialOptions& options) {
+    SmoothingOptions smoothing;
+    smoothing.iterations = options.preSmoothing;
+    smoothing.reach = options.smoothingReach * frame.diagonal;
+    std::vector<glm::dvec3> points = inUnits(mesh, frame);
+    const std::vector<glm::dvec3> moved = smoothed(points, mesh.triangles, smoothing);
+    const std::vector<glm::dvec3> normals = vertexNormals(moved, mesh.triangles);
+    for (size_t v = 0; v < points.size(); ++v)
+        points[v] += normals[v] * glm::dot(normals[v], moved[v] - points[v]);
+    return points;
+}
+
+double radians(double degrees) {
+    return degrees * std::numbers::pi / 180;
+}
+
+}  // namespace
+
+MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
+                       const MedialOptions& options)
+    : mesh_(mesh),
+      options_(options),
+      frame_(mesh),
+      triangles_(mesh.triangles, topology.opposite),
+      tree_({}, {}, {}, 0) {
+    const std::vector<glm::dvec3> feet = inUnits(mesh, frame_);
+    const std::vector<glm::dvec3> surface = smoothedSurface(mesh, frame_, options);
+    const std::vector<glm::dvec3> normals = vertexNormals(surface, mesh.triangles);
+    feet_.assign(feet.begin(), feet.end());
+    smoothed_.assign(surface.begin(), surface.end());
+    origins_.resize(feet.size());
+    tangents_.reserve(feet.size());
+    for (uint32_t v = 0; v < feet.size(); ++v) {
+        origins_[v].vertices = {v, v, v};
+        tangents_.push_back({smoothed_[v], glm::vec3(normals[v])});
+    }
+    const double angle = radians(options.separationAngle);
+    tree_ = BallTree(smoothed_, mesh.triangles, topology.opposite, angle);
+    balls_ = vertexBalls(tree_, tangents_, rings(), static_cast<float>(frame_.diagonal / 2),
+                         options.threads);
+}
+
+std::array<uint32_t, 2> MedialMesh::endsOf(uint32_t halfEdge) const {
+    const auto& v = triangles_.triangles[halfEdge / 3].v;
+    return {v[halfEdge % 3], v[(halfEdge + 1) % 3]};
+}
+
+double MedialMesh::length2(uint32_t halfEdge) const {
+    const auto [a, b] = endsOf(halfEdge);
+    const glm::vec3 d = feet_[a] - feet_[b];
+    return glm::dot(d, d);
+}
+
+MedialMesh::Middle MedialMesh::middleOf(uint32_t halfEdge) const {
+    const auto [a, b] = endsOf(halfEdge);
+    Middle middle;
+    glm::dvec3 smooth(0.0), normal(0.0);
+    const auto addSide = [&](uint32_t h) {
+        const uint32_t parent = triangles_.triangles[h / 3].parent;
+        const auto& corners = mesh_.triangles[parent];
+        middle.origin = middleOrigin(origins_[a], origins_[b], corners);
+        glm::dvec3 n(0.0);
+        smooth = glm::dvec3(0.0);
+        for (int k = 0; k < 3; ++k) {
+            const auto corner = static_cast<size_t>(k);
+            smooth += middle.origin.weights[k] * glm::dvec3(smoothed_[corners[corner]]);
+            n += middle.origin.weights[k] * glm::dvec3(normals_[parent][corner]);
+        }
+        normal += glm::dvec3(unitOrZero(n));
+    };
+    addSide(halfEdge);
+    const uint32_t o = triangles_.opposite[halfEdge];
+    if (o != BisectedTriangles::kNone) addSide(o);
+    middle.foot = 0.5F * (feet_[a] + feet_[b]);
+    middle.tangent = {glm::vec3(smooth), unitOrZero(normal)};
+    if (glm::dot(middle.tangent.normal, middle.tangent.normal) > 0) {
+        middle.ball = tree_.largest(middle.tangent, static_cast<float>(frame_.diagonal / 2),
+                                    balls_[a].contact);
+    }
+    return middle;
+}
+
+/// What refineEdges asks.
+struct MedialMesh::Refinement {
+    using Middle = MedialMesh::Middle;
+    MedialMesh& mesh;
+
+    std::array<uint32_t, 2> endsOf(uint32_t h) const { return mesh.endsOf(h); }
+    double length2(uint32_t h) const { return mesh.length2(h); }
+    double shortest2() const {
+        const double shortest = mesh.options_.refinement * mesh.frame_.diagonal;
+        return shortest * shortest;
+    }
+    Middle middleOf(uint32_t h) const { return mesh.middleOf(h); }
+    bool isEven(uint32_t h, const Middle& middle) const {
+        constexpr double kTolerance = 0.003;  // of the diagonal
+        constexpr double kOfRadius = 0.1;     // thin walls need more than large bodies
+        constexpr double kLong = 0.2;  // of the diagonal: one look in the middle is not enough
+        const auto [a, b] = endsOf(h);
+        const glm::vec3 found = middle.tangent.point - middle.ball.radius * middle.tangent.normal;
+        const double off = glm::distance(found, 0.5F * (mesh.centre(a) + mesh.centre(b)));
+        const double radius = std::max({mesh.radius(a), mesh.radius(b), middle.ball.radius});
+        const double tolerance = std::min(kTolerance * mesh.frame_.diagonal, kOfRadius * radius);
+        const double longest = kLong * mesh.frame_.diagonal;
+        return off <= tolerance && length2(h) <= longest * longest;
+    }
+    uint32_t add(Middle&& middle) {
+        mesh.origins_.push_back(middle.origin);
+        mesh.feet_.push_back(middle.foot);
+        mesh.tangents_.push_back(middle.tangent);
+        mesh.balls_.push_back(middle.ball);
+        return static_cast<uint32_t>(mesh.feet_.size() - 1);
+    }
+};
+
+void MedialMesh::refine() {
+    const double shortest = options_.refinement * frame_.diagonal;
+    const auto count = static_cast<uint32_t>(triangles_.opposite.size());
+    bool any = false;
+    for (uint32_t h = 0; h < count && !any; ++h) any = length2(h) > shortest * shortest;
+    if (!any) return;
+    normals_ = cornerNormals(smoothed_, mesh_.triangles, radians(options_.separationAngle));
+    Refinement refinement{*this};
+    refineEdges(triangles_, refinement, options_.threads);
+}
+
+}  // namespace sherd

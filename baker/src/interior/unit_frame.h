@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "sherd/baker/surface_mesh.h"
+
+namespace sherd {
+
+/// The mesh moved and scaled to a box of size 1 around the origin, by a power of two: input scaled
+/// by a power of two gives the same bits here.
+struct UnitFrame {
+    glm::dvec3 centre{0};
+    int exponent = 0;     ///< one unit is 2^exponent metres
+    double diagonal = 0;  ///< of the bounding box, in units
+
+    explicit UnitFrame(const SurfaceMesh& mesh) {
+        glm::dvec3 low(0), high(0);
+        bool first = true;
+        for (const auto& t : mesh.triangles) {
+            for (const uint32_t v : t) {
+                const glm::dvec3 p(mesh.positions[v]);
+                low = first ? p : glm::min(low, p);
+                high = first ? p : glm::max(high, p);
+                first = false;
+            }
+        }
+        const glm::dvec3 size = high - low;
+        centre = low + size / 2.0;
+        std::frexp(std::max({size.x, size.y, size.z}), &exponent);
+        diagonal = std::ldexp(glm::length(size), -exponent);
+    }
+    glm::dvec3 toUnit(const glm::dvec3& p) const {
+        return (p - centre) * std::ldexp(1.0, -exponent);
+    }
+    glm::vec3 toObject(const glm::dvec3& p) const {
+        return glm::vec3(centre + p * std::ldexp(1.0, exponent));
+    }
+};
+
+}  // namespace sherd

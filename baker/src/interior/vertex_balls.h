@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "interior/ball_tree.h"
+#include "interior/vertex_rings.h"
+
+namespace sherd {
+
+/// The largest tangent ball at every vertex of a mesh. Only a sample of the vertices searches the
+/// whole surface; the others learn from their neighbours what their ball touches. Vertices without
+/// a normal (0) or without neighbours get balls of radius 0. The same for any number of threads.
+std::vector<BallTree::Ball> vertexBalls(const BallTree& tree,
+                                        std::span<const BallTree::Tangent> tangents,
+                                        const VertexRings& rings, float maxRadius,
+                                        unsigned threads);
+
+}  // namespace sherd
