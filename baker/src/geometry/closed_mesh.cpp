@@ -48,6 +48,13 @@ std::vector<DirectedEdge> sortedEdges(std::span<const std::array<uint32_t, 3>> t
     return edges;
 }
 
+uint64_t mixed(uint64_t x) {  // SplitMix64
+    x += 0x9e3779b97f4a7c15ULL;
+    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ x >> 27) * 0x94d049bb133111ebULL;
+    return x ^ x >> 31;
+}
+
 }  // namespace
 
 ClosedReport proveByIds(std::span<const std::array<uint32_t, 3>> triangles) {
@@ -81,6 +88,18 @@ ClosedReport proveByIds(std::span<const std::array<uint32_t, 3>> triangles) {
     for (size_t i = 1; i < fans.size(); ++i)
         report.splitFans += fans[i].first == fans[i - 1].first ? 1 : 0;
     return report;
+}
+
+bool edgesCancel(std::span<const std::array<uint32_t, 3>> triangles) {
+    uint64_t sum = 0;
+    for (const auto& t : triangles) {
+        for (size_t k = 0; k < 3; ++k) {
+            const uint64_t a = t[k], b = t[(k + 1) % 3];
+            if (a < b) sum += mixed(a << 32 | b);
+            if (b < a) sum -= mixed(b << 32 | a);
+        }
+    }
+    return sum == 0;
 }
 
 ClosedReport proveByPositions(std::span<const glm::vec3> positions,

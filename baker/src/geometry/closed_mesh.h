@@ -20,6 +20,11 @@ struct ClosedReport {
 /// Over vertex ids: every edge once in each direction, every vertex one fan. Ids need not be dense.
 ClosedReport proveByIds(std::span<const std::array<uint32_t, 3>> triangles);
 
+/// Over vertex ids: whether every directed edge is used as often as its reverse. By a sum of
+/// hashes, so that a surface that is open passes once in 2^64 times, in a tenth of the time of a
+/// proof.
+bool edgesCancel(std::span<const std::array<uint32_t, 3>> triangles);
+
 /// Over bit-equal positions (-0 equals 0), triangles with a repeated position dropped: every
 /// directed edge is used as often as its reverse. Only openEdges is filled.
 ClosedReport proveByPositions(std::span<const glm::vec3> positions,

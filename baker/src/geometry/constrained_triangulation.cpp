@@ -10,7 +10,7 @@
 namespace sherd {
 namespace {
 
-constexpr uint32_t kNobody = 0xFFFFFFFFU;
+constexpr uint32_t kNobody = TriangulationResult::kNone;
 constexpr uint32_t kHeld = 0xFFFFFFFFU;  ///< mark of an edge that must stay for now
 /// Up to here edges are flipped out of a constraint's way; more are cleared away at once.
 constexpr size_t kFewCrossed = 16;
@@ -34,16 +34,13 @@ class ConstrainedTriangulation::Work {
         last_ = 0;
         flipsLeft_ = 40 * in_->points.size() + 40;
         findInsertionOrder();
+        result_.same.clear();
+        result_.passages.clear();
         for (const uint32_t p : order_) insert(p);
-        result_.valid = true;
-        findRecoveryOrder();
-        for (const uint32_t i : order_) {
-            const TriangulationInput::Constraint& c = in_->constraints[i];
-            result_.valid = result_.valid && recover(c.a, c.b, c.mark);
-        }
+        recoverConstraints();
         result_.triangles.clear();
         result_.triangles.reserve(triangles_.size());
-        for (const Triangle& t : triangles_) result_.triangles.push_back({t.v, t.mark});
+        for (const Triangle& t : triangles_) result_.triangles.push_back({t.v, t.mark, t.neighbor});
         return result_;
     }
 
@@ -58,6 +55,7 @@ class ConstrainedTriangulation::Work {
     };
 
     int side(uint32_t a, uint32_t b, uint32_t c) const {
+        if (in_->turn) return in_->turn(a, b, c);
         return orientation(in_->points[a], in_->points[b], in_->points[c], extent_);
     }
 
@@ -161,11 +159,42 @@ class ConstrainedTriangulation::Work {
         const uint32_t t = locate(p);
         for (uint32_t k = 0; k < 3; ++k) {
             if (side(triangles_[t].v[k], triangles_[t].v[cyclic(k + 1)], p) == 0) {
-                splitEdge({t, k}, p);
+                if (!isCorner(t, k, p)) splitEdge({t, k}, p);
                 return;
             }
         }
         splitTriangle(t, p);
+    }
+
+    /// Whether p, on edge k of t, is in the place of one of its ends; then that stands for it.
+    bool isCorner(uint32_t t, uint32_t k, uint32_t p) {
+        const auto& v = triangles_[t].v;
+        const uint32_t apex = v[cyclic(k + 2)];
+        if (side(v[cyclic(k + 1)], apex, p) == 0) {
+            result_.same.emplace_back(p, v[cyclic(k + 1)]);
+        } else if (side(apex, v[k], p) == 0) {
+            result_.same.emplace_back(p, v[k]);
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    void recoverConstraints() {
+        std::vector<uint32_t> standsFor;
+        if (!result_.same.empty()) {
+            standsFor.resize(in_->points.size());
+            std::iota(standsFor.begin(), standsFor.end(), 0U);
+            for (const auto& [later, earlier] : result_.same) standsFor[later] = earlier;
+        }
+        const auto inPlace = [&](uint32_t p) { return standsFor.empty() ? p : standsFor[p]; };
+        result_.valid = true;
+        findRecoveryOrder();
+        for (const uint32_t i : order_) {
+            const TriangulationInput::Constraint& c = in_->constraints[i];
+            constraint_ = i;
+            result_.valid = result_.valid && recover(inPlace(c.a), inPlace(c.b), c.mark);
+        }
     }
 
     void setTriangle(uint32_t t, std::array<uint32_t, 3> v, std::array<uint32_t, 3> neighbor,
@@ -378,6 +407,7 @@ class ConstrainedTriangulation::Work {
             const Edge e = findEdge(a, reached);
             if (e.t == kNobody) return false;
             setMark(e, mark);
+            if (reached != b) result_.passages.push_back({constraint_, reached});
             a = reached;
         }
         return true;
@@ -572,6 +602,7 @@ class ConstrainedTriangulation::Work {
     std::vector<std::pair<uint32_t, uint32_t>> crossed_;  ///< by the constraint being recovered
     std::vector<uint32_t> cavity_;                        ///< the triangles it crosses
     uint32_t last_ = 0;
+    uint32_t constraint_ = 0;  ///< the one being recovered
     size_t flipsLeft_ = 0;
 };
 

@@ -16,6 +16,10 @@ class UnionFind {
         std::iota(parent_.begin(), parent_.end(), 0U);
     }
 
+    /// Adds sets of one up to `count` in all.
+    void grow(size_t count) {
+        for (size_t i = parent_.size(); i < count; ++i) parent_.push_back(static_cast<uint32_t>(i));
+    }
     uint32_t find(uint32_t i) {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 
-#include "pattern/dice.h"
+#include "geometry/dice.h"
 
 namespace sherd {
 namespace {

@@ -3,10 +3,8 @@
 //
 // Over a triangle the squared distance to a site, less what all sites share, is a linear function:
 // three integers, its values at the corners. Cells are where a site's function is lowest. Cell
-// corners stay implicit (edge and two sites, or three sites); every decision is the sign of a
-// determinant of these integers, in doubles where they suffice, else in 256 bits. Ties break by
-// perturbing the values, site i by e_i with e_0 << e_1 << ... (the lower index wins), never by
-// moving a plane (Edelsbrunner and Muecke 1990, Simulation of Simplicity). Clipping the triangle by
+// corners stay implicit (edge and two sites, or three sites); every decision is one of
+// `perturbed_signs.h`, so ties go to the lower index. Clipping the triangle by
 // one bisector after another follows Yan et al. 2009, Isotropic Remeshing with Fast and Exact
 // Computation of Restricted Voronoi Diagram; unlike there, what a cell shares with its neighbour is
 // the same implicit points, so nothing gapes.
@@ -18,12 +16,10 @@
 #include <vector>
 
 #include "geometry/exact_grid.h"
+#include "geometry/perturbed_signs.h"
 #include "pattern/site_grid.h"
 
 namespace sherd {
-
-/// Squared distances of the three corners to a site.
-using CornerValues = std::array<int64_t, 3>;
 
 /// A side of a cell: half edge `index` of the triangle, or the bisector with site `index`.
 struct CellSide {
@@ -34,7 +30,7 @@ struct CellSide {
 /// A convex cell as its sides in order, counter-clockwise; corner n lies between sides n and n + 1.
 class PowerCell {
   public:
-    using Values = std::span<const CornerValues>;  ///< per site
+    using Values = std::span<const CornerValues>;  ///< per site: squared distances of the corners
 
     /// The whole triangle.
     explicit PowerCell(uint32_t site);

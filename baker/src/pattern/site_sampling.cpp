@@ -8,8 +8,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "geometry/dice.h"
 #include "geometry/triangle.h"
-#include "pattern/dice.h"
 
 namespace sherd {
 namespace {
