@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "volume/piece_mesh.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "geometry/bounds.h"
+#include "geometry/closed_mesh.h"
+#include "geometry/union_find.h"
+#include "volume/piece_builder.h"
+#include "volume/touching_edges.h"
+
+namespace sherd {
+namespace {
+
+constexpr uint32_t kNone = CutPieces::kNone;
+
+/// Pieces as groups of cells, put together until none is a sliver and none touches itself where it
+/// cannot be told apart.
+class Assembly {
+  public:
+    Assembly(MeshCut& cut, const PieceOptions& options)
+        : cut_(cut), options_(options), groups_(cut.cells()) {
+        std::map<uint32_t, uint32_t> first;
+        for (uint32_t cell = 0; cell < options.groups.size() && cell < cut.cells(); ++cell)
+            groups_.unite(cell, first.try_emplace(options.groups[cell], cell).first->second);
+    }
+
+    CutPieces run() {
+        constexpr int kMostRounds = 16;  // each mends what the one before left: two do nearly
+        for (int round = 0;; ++round) {
+            build();
+            if (round == kMostRounds || (!mergeSlivers() && !halveClashes())) break;
+        }
+        CutPieces result;
+        result.slivers = slivers_;
+        result.pieceOfCell.assign(cut_.cells(), kNone);
+        for (size_t p = 0; p < built_.size(); ++p) {
+            if (built_[p].mesh.triangles.empty()) continue;
+            for (const uint32_t cell : cells_[p])
+                result.pieceOfCell[cell] = static_cast<uint32_t>(result.pieces.size());
+            result.pieces.push_back(std::move(built_[p].mesh));
+        }
+        return result;
+    }
+
+  private:
+    void build() {
+        std::vector<uint32_t> groupOf(cut_.cells());
+        pieceOf_.assign(cut_.cells(), kNone);
+        cells_.clear();
+        for (uint32_t cell = 0; cell < cut_.cells(); ++cell) {
+            groupOf[cell] = groups_.find(cell);
+            if (groupOf[cell] == cell) {
+                pieceOf_[cell] = static_cast<uint32_t>(cells_.size());
+                cells_.emplace_back();
+            }
+            pieceOf_[cell] = pieceOf_[groupOf[cell]];
+            cells_[pieceOf_[cell]].push_back(cell);
+        }
+        PieceBuilder builder(cut_, std::move(groupOf));
+        built_.clear();
+        for (const std::vector<uint32_t>& cells : cells_) {
+            built_.push_back(builder.build(cells));
+            measure(built_.back().mesh);
+        }
+    }
+
+    void measure(PieceMesh& mesh) const {
+        if (mesh.triangles.empty()) return;
+        const glm::dvec3 origin = cut_.positions[mesh.vertices[0]];
+        double six = 0;
+        for (const auto& t : mesh.triangles) {
+            const auto corner = [&](size_t k) {
+                return glm::dvec3(cut_.positions[mesh.vertices[t[k]]]) - origin;
+            };
+            six += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
+        }
+        mesh.volume = six / 6;
+    }
+
+    /// Whether there were any with a neighbour.
+    bool mergeSlivers() {
+        double whole = 0;
+        for (const BuiltPiece& piece : built_) whole += piece.mesh.volume;
+        const auto isSliver = [&](uint32_t p) {
+            return !built_[p].mesh.triangles.empty() &&
+                   !(built_[p].mesh.volume > options_.smallestShare * whole);
+        };
+        std::vector<std::map<uint32_t, double>> shared(built_.size());  // area by neighbour
+        for (const MeshCut::Cap& cap : cut_.caps) {
+            const uint32_t a = pieceOf_[cap.low], b = pieceOf_[cap.high];
+            if (a == b || (!isSliver(a) && !isSliver(b))) continue;
+            const double area = areaOf(cap);
+            shared[a][b] += area;
+            shared[b][a] += area;
+        }
+        bool any = false;
+        for (uint32_t p = 0; p < built_.size(); ++p) {
+            if (!isSliver(p) || shared[p].empty()) continue;
+            const auto most =
+                std::max_element(shared[p].begin(), shared[p].end(),
+                                 [](const auto& a, const auto& b) { return a.second < b.second; });
+            const uint32_t own = cells_[p][0], other = cells_[most->first][0];
+            if (groups_.find(own) == groups_.find(other)) continue;  // merged with each other
+            groups_.unite(own, other);
+            ++slivers_;
+            any = true;
+        }
+        return any;
+    }
+
+    double areaOf(const MeshCut::Cap& cap) const {
+        double twice = 0;
+        for (const CapTriangle& t : cut_.trianglesOf(cap)) {
+            const glm::dvec3 a = cut_.positions[t.v[0]];
+            twice += glm::length(glm::cross(glm::dvec3(cut_.positions[t.v[1]]) - a,
+                                            glm::dvec3(cut_.positions[t.v[2]]) - a));
+        }
+        return 0.5 * twice;
+    }
+
+    bool halveClashes() {
+        if (std::all_of(built_.begin(), built_.end(),
+                        [](const BuiltPiece& p) { return p.clashes.empty(); })) {
+            return false;
+        }
+        halveEdges(cut_, clashingUses(cut_, built_));
+        return true;
+    }
+
+    MeshCut& cut_;
+    const PieceOptions& options_;
+    UnionFind groups_;
+    std::vector<std::vector<uint32_t>> cells_;  ///< per piece
+    std::vector<uint32_t> pieceOf_;             ///< per cell
+    std::vector<BuiltPiece> built_;
+    uint32_t slivers_ = 0;
+};
+
+}  // namespace
+
+std::vector<glm::vec3> PieceMesh::positions(const MeshCut& cut) const {
+    std::vector<glm::vec3> result;
+    result.reserve(vertices.size());
+    for (const uint32_t v : vertices) result.push_back(cut.positions[v]);
+    return result;
+}
+
+CutPieces assemblePieces(MeshCut& cut, const PieceOptions& options) {
+    return Assembly(cut, options).run();
+}
+
+}  // namespace sherd
