@@ -19,11 +19,11 @@ HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
             const CornerRef ref = face.corners[k];
             out.v[k] = vertexOf(surface, sheet, ref) + (ref.hidden != 0 ? result.skinVertices : 0);
         }
-        // All corners of a face hang from one outer triangle; those of a solid piece's wall do not,
-        // but the first of them is one of the surface.
+        // All corners of a face hang from one outer triangle, unless it says another.
         const CornerRef any = face.corners[0];
-        const uint32_t above =
-            any.hidden != 0 ? sheet.triangles[any.corner / 3].parent : any.corner / 3;
+        const uint32_t above = face.under != kNone ? face.under
+                               : any.hidden != 0   ? sheet.triangles[any.corner / 3].parent
+                                                   : any.corner / 3;
         out.leaf = face.leaf;
         out.exposedFrom = face.exposedFrom;
         out.fragment = components.at(face.exposedFrom, face.leaf);

@@ -29,6 +29,8 @@ struct HiddenFace {
     uint32_t exposedFrom = 1;
     uint32_t neighbour = kNone;  ///< the leaf across a wall; kNone for a sheet and for a rim
     bool wall = false;
+    uint32_t under = kNone;  ///< a triangle of the split surface whose material it has; kNone: that
+                             ///< which its corners hang from
 };
 
 /// Leaves that are closed by walls straight through the solid, without a sheet.

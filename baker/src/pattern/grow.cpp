@@ -107,6 +107,13 @@ Growth growCells(const GrowthInput& input, const Pattern& pattern, uint32_t leve
                    ? finder->first[domain]
                    : finder->first[domain] + sites.nearest(finder->grid.snap(position));
     };
+    CellSites sites;
+    for (const SiteTree& tree : finder->sites)
+        for (const SitePoint& s : tree.sites())
+            sites.sites.emplace_back(static_cast<double>(s.x), static_cast<double>(s.y),
+                                     static_cast<double>(s.z));
+    sites.place = [finder](const glm::dvec3& position) { return finder->grid.place(position); };
+    growth.cells.sites = std::make_shared<const CellSites>(std::move(sites));
     return growth;
 }
 

@@ -41,8 +41,12 @@ glm::dvec3 SiteGrid::drawn(const glm::dvec3& p) const {
     return p + axis_ * (shrink_ * glm::dot(axis_, p));
 }
 
+glm::dvec3 SiteGrid::place(const glm::dvec3& position) const {
+    return (drawn(position) - low_) * scale_;
+}
+
 SitePoint SiteGrid::snap(const glm::dvec3& position) const {
-    const glm::dvec3 p = (drawn(position) - low_) * scale_;
+    const glm::dvec3 p = place(position);
     const auto round = [](double x) {
         return std::clamp<int64_t>(std::llround(x), 0, int64_t{1} << 26);
     };

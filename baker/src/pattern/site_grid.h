@@ -32,6 +32,8 @@ class SiteGrid {
     SiteGrid(std::span<const glm::vec3> positions, const glm::dvec3& axis, double stretch);
 
     SitePoint snap(const glm::dvec3& position) const;
+    /// Where a position lies in the grid's space, in steps, before it is snapped: a linear map.
+    glm::dvec3 place(const glm::dvec3& position) const;
 
   private:
     glm::dvec3 drawn(const glm::dvec3& p) const;

@@ -20,46 +20,34 @@ namespace {
 
 using Order = std::vector<uint32_t>;
 
-Order ordered(const BorderNode& node, bool reversed) {
-    Order pieces;
-    for (const BorderNode::Spoke& spoke : node.spokes) pieces.push_back(spoke.after);
-    if (reversed) std::reverse(pieces.begin(), pieces.end());
-    std::rotate(pieces.begin(), std::min_element(pieces.begin(), pieces.end()), pieces.end());
-    return pieces;
-}
-
 /// A border as a node sees it: the pieces before and after.
 using Side = std::pair<uint32_t, uint32_t>;
 
 class SkeletonFinder {
   public:
-    SkeletonFinder(std::span<const glm::vec3> positions, const BorderGraph& graph)
-        : positions_(positions), graph_(graph) {
-        skeleton_.partner.assign(graph.nodes.size(), kNone);
-        skeleton_.hubOf.assign(graph.nodes.size(), kNone);
-    }
+    SkeletonFinder(std::span<const glm::vec3> positions, const BorderGraph& graph,
+                   Skeleton& skeleton)
+        : positions_(positions), graph_(graph), skeleton_(skeleton) {}
 
-    Skeleton run(HubChoice choice) {
+    void run(HubChoice choice) {
         if (choice == HubChoice::near) {
             findPartners();
             findNearHubs();
         }
         shareHubs();
-        return std::move(skeleton_);
     }
 
   private:
     glm::dvec3 at(uint32_t node) const { return positions_[graph_.nodes[node].vertex]; }
     bool isFree(uint32_t node) const {
-        return graph_.nodes[node].plain && skeleton_.partner[node] == kNone &&
-               skeleton_.hubOf[node] == kNone;
+        return graph_.nodes[node].plain && skeleton_.linesAt[node].empty();
     }
 
     /// Nodes of reversed order, the nearest first.
     void findPartners() {
         std::map<Order, std::vector<uint32_t>> byOrder;
         for (uint32_t n = 0; n < graph_.nodes.size(); ++n)
-            if (graph_.nodes[n].plain) byOrder[ordered(graph_.nodes[n], false)].push_back(n);
+            if (isFree(n)) byOrder[piecesAround(graph_.nodes[n], false)].push_back(n);
         struct Pair {
             double distance;
             uint32_t a, b;
@@ -69,8 +57,8 @@ class SkeletonFinder {
         };
         std::vector<Pair> pairs;
         for (uint32_t a = 0; a < graph_.nodes.size(); ++a) {
-            if (!graph_.nodes[a].plain) continue;
-            const auto found = byOrder.find(ordered(graph_.nodes[a], true));
+            if (!isFree(a)) continue;
+            const auto found = byOrder.find(piecesAround(graph_.nodes[a], true));
             if (found == byOrder.end()) continue;
             for (const uint32_t b : found->second)
                 if (a < b) pairs.push_back({glm::distance(at(a), at(b)), a, b});
@@ -78,8 +66,7 @@ class SkeletonFinder {
         std::sort(pairs.begin(), pairs.end());
         for (const Pair& pair : pairs) {
             if (!isFree(pair.a) || !isFree(pair.b)) continue;
-            skeleton_.partner[pair.a] = pair.b;
-            skeleton_.partner[pair.b] = pair.a;
+            skeleton_.addLine(pair.a, pair.b, piecesAround(graph_.nodes[pair.a], false));
         }
     }
 
@@ -169,24 +156,31 @@ class SkeletonFinder {
 
     void addHub(const std::vector<uint32_t>& nodes) {
         glm::dvec3 sum(0.0);
-        for (const uint32_t n : nodes) {
-            skeleton_.hubOf[n] = static_cast<uint32_t>(skeleton_.hubs.size());
-            sum += at(n);
-        }
-        skeleton_.hubs.emplace_back(sum / static_cast<double>(nodes.size()));
+        for (const uint32_t n : nodes) sum += at(n);
+        const uint32_t hub = skeleton_.addHub(sum / static_cast<double>(nodes.size()));
+        for (const uint32_t n : nodes)
+            skeleton_.addLine(n, hub, piecesAround(graph_.nodes[n], false));
     }
 
     std::span<const glm::vec3> positions_;
     const BorderGraph& graph_;
-    Skeleton skeleton_;
+    Skeleton& skeleton_;
     std::map<Side, std::vector<uint32_t>> bySide_;  ///< free nodes that see a border so
 };
 
 }  // namespace
 
-Skeleton findSkeleton(std::span<const glm::vec3> positions, const BorderGraph& graph,
-                      HubChoice choice) {
-    return SkeletonFinder(positions, graph).run(choice);
+std::vector<uint32_t> piecesAround(const BorderNode& node, bool reversed) {
+    std::vector<uint32_t> pieces;
+    for (const BorderNode::Spoke& spoke : node.spokes) pieces.push_back(spoke.after);
+    if (reversed) std::reverse(pieces.begin(), pieces.end());
+    std::rotate(pieces.begin(), std::min_element(pieces.begin(), pieces.end()), pieces.end());
+    return pieces;
+}
+
+void completeSkeleton(std::span<const glm::vec3> positions, const BorderGraph& graph,
+                      HubChoice choice, Skeleton& skeleton) {
+    SkeletonFinder(positions, graph, skeleton).run(choice);
 }
 
 }  // namespace sherd

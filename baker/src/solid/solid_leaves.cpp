@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "geometry/closed_mesh.h"
 #include "solid/solid_walls.h"
@@ -17,14 +18,19 @@ CornerRef refOf(const OutlineVertex& v, bool low) {
     return {low ? v.lowCorner : v.highCorner, 0};
 }
 
-/// The triangle as one of the two pieces shows it, a corner of the surface first.
 std::array<CornerRef, 3> cornersOf(const std::array<OutlineVertex, 3>& triangle, bool low) {
     std::array<CornerRef, 3> corners{};
     for (size_t k = 0; k < 3; ++k) corners[k] = refOf(triangle[low ? 2 - k : k], low);
-    const auto outer = std::find_if(corners.begin(), corners.end(),
-                                    [](const CornerRef& ref) { return !ref.isHub(); });
-    std::rotate(corners.begin(), outer, corners.end());
     return corners;
+}
+
+/// The outer triangle that a wall's triangle hangs from, or the leaf's first.
+uint32_t outerTriangle(const std::array<CornerRef, 3>& corners, uint32_t leaf,
+                       const Components& components) {
+    for (const CornerRef& ref : corners)
+        if (!ref.isHub()) return ref.corner / 3;
+    return static_cast<uint32_t>(std::find(components.leaf.begin(), components.leaf.end(), leaf) -
+                                 components.leaf.begin());
 }
 
 /// The walls of chosen pieces. leafOf: per piece its leaf.
@@ -44,6 +50,7 @@ std::vector<HiddenFace> facesOf(const SolidWalls& solid, std::span<const uint8_t
                 chosen[other] != 0 ? components.separatedFrom(face.leaf, face.neighbour) : 1;
             for (const auto& triangle : wall.triangles) {
                 face.corners = cornersOf(triangle, low);
+                face.under = outerTriangle(face.corners, face.leaf, components);
                 faces.push_back(face);
             }
         }
@@ -89,11 +96,19 @@ double areaOf(const SolidWalls& walls, std::span<const double> areas) {
 /// The walls that close more of the surface.
 SolidWalls betterWalls(const CutSurface& cut, const Components& pieces) {
     const std::vector<double> areas = leafAreas(cut.surface, pieces);
-    SolidWalls near =
-        solidWalls(cut.surface, cut.topology, pieces.leaf, pieces.leafCount, HubChoice::near);
-    SolidWalls central =
-        solidWalls(cut.surface, cut.topology, pieces.leaf, pieces.leafCount, HubChoice::centre);
-    return areaOf(central, areas) > areaOf(near, areas) ? central : near;
+    const std::optional<CellSpace> space = CellSpace::of(cut, pieces);
+    const auto build = [&](const CellSpace* known, HubChoice choice) {
+        return solidWalls(cut.surface, cut.topology, pieces.leaf, pieces.leafCount, known, choice);
+    };
+    SolidWalls best = build(space ? &*space : nullptr, HubChoice::near);
+    const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
+    const auto isWhole = [&] { return areaOf(best, areas) > (1 - 1e-12) * whole; };
+    const auto offer = [&](SolidWalls other) {
+        if (areaOf(other, areas) > areaOf(best, areas)) best = std::move(other);
+    };
+    if (space && !isWhole()) offer(build(nullptr, HubChoice::near));
+    if (!isWhole()) offer(build(nullptr, HubChoice::centre));
+    return best;
 }
 
 }  // namespace

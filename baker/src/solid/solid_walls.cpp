@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <unordered_set>
 
 #include "geometry/closed_mesh.h"
 #include "geometry/triangle.h"
+#include "solid/cell_skeleton.h"
 #include "solid/outline_joining.h"
 #include "solid/wall_crossings.h"
 
@@ -25,13 +27,15 @@ class WallBuilder {
           topology_(topology),
           piece_(piece),
           pieceCount_(pieceCount),
-          graph_(borderGraph(surface, topology, piece, pieceCount)) {}
+          graph_(borderGraph(surface, topology, piece, pieceCount)),
+          skeleton_(graph_.nodes.size()) {}
 
-    SolidWalls run(HubChoice choice) {
+    SolidWalls run(const CellSpace* space, HubChoice choice) {
         findEdges();
-        skeleton_ = findSkeleton(surface_.positions, graph_, choice);
+        if (space != nullptr) followCells(surface_, *space, graph_, skeleton_);
+        completeSkeleton(surface_.positions, graph_, choice, skeleton_);
         bendAroundEdges();
-        WallOutlines outlines = wallOutlines(surface_, topology_, graph_, skeleton_);
+        WallOutlines outlines = wallOutlines(surface_, topology_, graph_, skeleton_, space);
         broken_ = std::move(outlines.broken);
         std::vector<WallPolygon> polygons;
         for (WallOutline& outline : outlines.walls)
@@ -74,15 +78,17 @@ class WallBuilder {
     /// A node whose partner is its neighbour on the surface: the way between them through the solid
     /// gets a hub of its own, to be told from the edge.
     void bendAroundEdges() {
-        for (uint32_t a = 0; a < graph_.nodes.size(); ++a) {
-            const uint32_t b = skeleton_.partner[a];
-            if (b == kNone || b < a) continue;
+        for (size_t l = 0, count = skeleton_.lines.size(); l < count; ++l) {
+            const uint32_t a = skeleton_.lines[l].from, b = skeleton_.lines[l].to;
+            if (skeleton_.isHub(a) || skeleton_.isHub(b)) continue;
             const uint32_t va = graph_.nodes[a].vertex, vb = graph_.nodes[b].vertex;
             if (!edges_.contains(edgeKey(va, vb))) continue;
-            skeleton_.partner[a] = skeleton_.partner[b] = kNone;
-            skeleton_.hubOf[a] = skeleton_.hubOf[b] = static_cast<uint32_t>(skeleton_.hubs.size());
-            skeleton_.hubs.emplace_back(
+            const uint32_t hub = skeleton_.addHub(
                 (glm::dvec3(surface_.positions[va]) + glm::dvec3(surface_.positions[vb])) * 0.5);
+            skeleton_.lines[l].to = hub;
+            skeleton_.linesAt[hub].push_back(static_cast<uint32_t>(l));
+            skeleton_.linesAt[b].clear();
+            skeleton_.addLine(hub, b, std::vector<uint32_t>(skeleton_.lines[l].pieces));
         }
     }
 
@@ -132,20 +138,32 @@ class WallBuilder {
     /// Edges inside a wall must be its own: none of the surface, and none that another wall of the
     /// same piece could choose as well.
     bool allowed(const OutlineVertex& a, const OutlineVertex& b) const {
-        if (a.hub != kNone && b.hub != kNone) return false;
-        if (a.hub != kNone || b.hub != kNone) {
-            const OutlineVertex& hub = a.hub != kNone ? a : b;
-            const uint32_t node = graph_.nodeOfVertex[a.hub != kNone ? b.vertex : a.vertex];
-            return node == kNone || skeleton_.hubOf[node] != hub.hub;
+        if (a.hub == kNone && b.hub == kNone &&
+            (a.vertex == b.vertex || edges_.contains(edgeKey(a.vertex, b.vertex))))
+            return false;
+        const std::vector<uint32_t> x = piecesAt(a), y = piecesAt(b);
+        std::vector<uint32_t> common;
+        std::set_intersection(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(common));
+        return common.size() < 3;
+    }
+
+    /// The pieces that meet in a vertex, ascending; none unless it is a node or a hub.
+    std::vector<uint32_t> piecesAt(const OutlineVertex& v) const {
+        const uint32_t end =
+            v.hub != kNone ? skeleton_.nodes + v.hub : graph_.nodeOfVertex[v.vertex];
+        std::vector<uint32_t> pieces;
+        if (end == kNone) return pieces;
+        if (v.hub != kNone) {
+            for (const uint32_t line : skeleton_.linesAt[end]) {
+                const auto& some = skeleton_.lines[line].pieces;
+                pieces.insert(pieces.end(), some.begin(), some.end());
+            }
+        } else {
+            pieces = piecesAround(graph_.nodes[end], false);
         }
-        if (a.vertex == b.vertex || edges_.contains(edgeKey(a.vertex, b.vertex))) return false;
-        const uint32_t na = graph_.nodeOfVertex[a.vertex], nb = graph_.nodeOfVertex[b.vertex];
-        if (na == kNone || nb == kNone) return true;
-        size_t common = 0;
-        for (const BorderNode::Spoke& x : graph_.nodes[na].spokes)
-            for (const BorderNode::Spoke& y : graph_.nodes[nb].spokes)
-                common += x.after == y.after ? 1 : 0;
-        return common < 3;
+        std::sort(pieces.begin(), pieces.end());
+        pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+        return pieces;
     }
 
     /// As even as may be; where that crosses the surface, steeper, or ruled from side to side.
@@ -207,8 +225,9 @@ class WallBuilder {
 }  // namespace
 
 SolidWalls solidWalls(const SplitSurface& surface, const MeshTopology& topology,
-                      std::span<const uint32_t> piece, uint32_t pieceCount, HubChoice choice) {
-    return WallBuilder(surface, topology, piece, pieceCount).run(choice);
+                      std::span<const uint32_t> piece, uint32_t pieceCount, const CellSpace* space,
+                      HubChoice choice) {
+    return WallBuilder(surface, topology, piece, pieceCount).run(space, choice);
 }
 
 }  // namespace sherd

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "solid/cell_space.h"
 #include "solid/skeleton.h"
 #include "solid/wall_loops.h"
 
@@ -25,8 +26,10 @@ struct SolidWalls {
     std::vector<uint8_t> solid;
 };
 
-/// piece: per triangle, below pieceCount.
+/// piece: per triangle, below pieceCount. space: how patterns divide the inside; null if they do
+/// not say it all.
 SolidWalls solidWalls(const SplitSurface& surface, const MeshTopology& topology,
-                      std::span<const uint32_t> piece, uint32_t pieceCount, HubChoice choice);
+                      std::span<const uint32_t> piece, uint32_t pieceCount, const CellSpace* space,
+                      HubChoice choice);
 
 }  // namespace sherd

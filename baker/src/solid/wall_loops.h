@@ -2,6 +2,7 @@
 // The outlines of the walls between pieces.
 #pragma once
 
+#include "solid/cell_space.h"
 #include "solid/skeleton.h"
 
 namespace sherd {
@@ -29,7 +30,9 @@ struct WallOutlines {
     std::vector<uint8_t> broken;  ///< per piece: has a border that no outline closes over
 };
 
+/// space: tells the sides of walls that touch the surface nowhere; null: there are none.
 WallOutlines wallOutlines(const SplitSurface& surface, const MeshTopology& topology,
-                          const BorderGraph& graph, const Skeleton& skeleton);
+                          const BorderGraph& graph, const Skeleton& skeleton,
+                          const CellSpace* space);
 
 }  // namespace sherd

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,12 @@
 #include "surface/part_groups.h"
 
 namespace sherd {
+
+/// Cells that consist of all that is nearest to a site, seen in a space of their own.
+struct CellSites {
+    std::vector<glm::dvec3> sites;                                ///< per cell
+    std::function<glm::dvec3(const glm::dvec3& position)> place;  ///< a linear map
+};
 
 /// How the patches of one level make cells of a pattern.
 struct CellLevel {
@@ -22,6 +29,7 @@ struct CellLevel {
     /// Empty: every patch is a piece. The cell at a place: its domain, the mesh triangle it lies
     /// on, its position.
     std::function<uint32_t(uint32_t domain, uint32_t source, const glm::dvec3& position)> cellOf;
+    std::shared_ptr<const CellSites> sites;  ///< where the cells of a domain have them
     /// All patches of a cell are its piece. Else, within one connected part, only its largest patch
     /// and those across the solid from it are; others join the neighbour with the longest border.
     bool wholeCells = false;

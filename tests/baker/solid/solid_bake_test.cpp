@@ -7,6 +7,7 @@ using namespace sherd::test;
 
 TEST_CASE("a plate of twelve triangles breaks into full pieces by a pattern") {
     SolidJudge{meshOf(box({0, 0, 0}, {1, 1, 0.1F})), pattern("voronoi:13:1")}.check(13);
+    SolidJudge{meshOf(box({0, 0, 0}, {1, 1, 0.1F})), pattern("voronoi:58:1")}.check(58);
 }
 
 TEST_CASE("a fine plate breaks into full pieces on two levels") {
@@ -28,13 +29,27 @@ TEST_CASE("a hollow box, whose two skins do not touch, breaks into full pieces")
     SolidJudge{meshOf(hollow), pattern("voronoi:13:1")}.check(13);
 }
 
+TEST_CASE("a ring, whose cells meet in many places inside, breaks into full pieces") {
+    SolidJudge{meshOf(torus(1, 0.35F, 40, 16)), pattern("voronoi:40:1")}.check(40);
+}
+
+TEST_CASE("cells of a deeper level meet those of a shallower one inside") {
+    FracturePlan plan = pattern("voronoi:8:1");
+    plan.patterns.push_back({*parsePattern("voronoi:40:2"), 2, nullptr});
+    SolidJudge{meshOf(box({0, 0, 0}, {1, 1, 1}, 3)), plan}.check(40);
+}
+
 TEST_CASE("what cannot be cut through keeps its sheet, and the report says so") {
-    // A bar bent around nearly once: the middle of all its nodes lies outside of it.
-    Shape bent = torus(1, 0.35F, 40, 16);
-    const SurfaceMesh mesh = meshOf(bent);
-    const Result<BakedObject> baked = bakeObject(mesh, pattern("voronoi:40:1"), solidRecipe(), {});
+    // An open box has no inside that cells could divide.
+    Shape open = box({0, 0, 0}, {1, 1, 1}, 4);
+    open.triangles.pop_back();
+    const SurfaceMesh mesh = meshOf(open);
+    Recipe recipe = solidRecipe();
+    recipe.allowOpen = true;
+    const Result<BakedObject> baked = bakeObject(mesh, pattern("voronoi:13:1"), recipe, {});
     if (!baked) FAIL(baked.error().message);
     REQUIRE(fellBack(*baked));
     CHECK(hasSheet(baked->set));
-    CHECK(checkBaked(mesh, pattern("voronoi:40:1"), solidRecipe()).passed());
+    CHECK(baked->report.levels[1].closed == 13);
+    CHECK(checkBaked(mesh, pattern("voronoi:13:1"), recipe).passed());
 }
