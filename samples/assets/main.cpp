@@ -19,8 +19,8 @@ using namespace sherd::samples;
 constexpr std::string_view kUsage =
     "usage: sherd-sample-assets OUTDIR\n"
     "\n"
-    "Models, unwraps and paints a vase, a wall and a column, and draws two levels of cracks for "
-    "each:\n"
+    "Models, unwraps and paints a vase, a wall, a column and a statue, and draws two levels of\n"
+    "cracks for each:\n"
     "  OUTDIR/<object>.glb          the intact model\n"
     "  OUTDIR/<object>_level1.svg   cracks into large pieces, drawn over the model's UV layout\n"
     "  OUTDIR/<object>_level2.svg   further cracks that divide those pieces\n"
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     std::error_code error;
     std::filesystem::create_directories(argument, error);
     bool written = true;
-    for (const auto make : {makeVase, makeWall, makeColumn})
+    for (const auto make : {makeVase, makeWall, makeColumn, makeFigure})
         written = writeObject(make(), argument) && written;
     return written ? 0 : 1;
 }

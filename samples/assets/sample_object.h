@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three objects of the demo.
+// The objects of the demo.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -29,5 +29,6 @@ struct SampleObject {
 SampleObject makeVase();    ///< 0.36 m high, turned, painted
 SampleObject makeWall();    ///< 2 x 1.2 x 0.25 m, dressed blocks in mortar
 SampleObject makeColumn();  ///< 1.2 m high, fluted marble
+SampleObject makeFigure();  ///< 1 m high, a limestone statue
 
 }  // namespace sherd::samples

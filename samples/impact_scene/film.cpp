@@ -35,7 +35,8 @@ std::array<uint32_t, kStillsPerShot> stillFrames(const FilmOptions& options, flo
             std::min(hit + 56, last), last};
 }
 
-/// From the side the ball comes from, turned a third towards the profile; drifts slowly.
+/// From the side the ball comes from, turned by half towards the profile, and more from the
+/// object's front (+z in glTF) than from its back; drifts slowly.
 SceneFrame aim(const Stage& stage, float progress) {
     SceneFrame frame;
     const glm::vec3 size = stage.high - stage.low;
@@ -43,7 +44,8 @@ SceneFrame aim(const Stage& stage, float progress) {
     const float reach = std::max(0.56F * size.y, 0.37F * across);
     const float distance = 1.35F * reach / std::tan(glm::radians(frame.fieldOfView / 2));
     const float angle = glm::radians(-52.0F + 14.0F * progress);
-    const glm::vec3 side = glm::cross(stage.from, glm::vec3(0, 1, 0));
+    glm::vec3 side = glm::cross(stage.from, glm::vec3(0, 1, 0));
+    if (side.z > 0) side = -side;
     const glm::vec3 level = stage.from * std::cos(angle) + side * std::sin(angle);
     frame.target = stage.center() - glm::vec3(0, 0.10F * size.y, 0) - stage.from * (0.12F * size.y);
     frame.eye = frame.target + level * distance + glm::vec3(0, 0.24F * distance, 0);

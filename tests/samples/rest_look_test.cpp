@@ -225,6 +225,10 @@ TEST_CASE("rest look: the column in pieces looks like the intact column") {
     checkSample("column");
 }
 
+TEST_CASE("rest look: the figure in pieces looks like the intact figure") {
+    checkSample("figure");
+}
+
 TEST_CASE("rest look: what is wrong with a single fragment is seen") {
     std::optional<Subject> wall = openSample("wall");
     if (!wall) return;
