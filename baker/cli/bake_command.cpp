@@ -27,6 +27,7 @@ struct BakeArguments {
     LevelArguments lines;
     ImportOptions import;
     std::string interior, interiorMaterial;
+    std::optional<double> shellThickness;
     std::optional<double> density;
     std::optional<unsigned> threads;
     bool thesis = false;
@@ -67,6 +68,13 @@ Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
         const Result<InteriorType> type = parseInteriorType(arguments.interior);
         if (!type) return fail(type.error().code, "--interior: " + type.error().message);
         recipe->interior.type = *type;
+    }
+    if (arguments.shellThickness) recipe->interior.shell.thickness = *arguments.shellThickness;
+    ShellSettings& shell = recipe->interior.shell;
+    if (!shell.texture.empty()) {
+        Result<GreyImage> picture = readGreyImage(shell.texture);
+        if (!picture) return tl::unexpected(picture.error());
+        shell.picture = std::make_shared<const GreyImage>(std::move(*picture));
     }
     recipe->interior.thesis = recipe->interior.thesis || arguments.thesis;
     recipe->allowOpen = recipe->allowOpen || arguments.allowOpen;
@@ -277,7 +285,12 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
     command
         ->add_option("--interior", arguments->interior,
                      "How pieces are closed inside (default medial)")
-        ->check(CLI::IsMember({"medial", "solid"}));
+        ->check(CLI::IsMember({"medial", "shell", "solid"}));
+    command
+        ->add_option("--shell-thickness", arguments->shellThickness,
+                     "Metres from the surface to the inside of a shell (default 2 % of the "
+                     "diagonal); never past the middle of the solid")
+        ->check(CLI::Range(1e-9, 1e9));
     command->add_option("--interior-material", arguments->interiorMaterial,
                         "The model's material for broken faces (default: a neutral grey is added)");
     command->add_flag(

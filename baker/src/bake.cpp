@@ -15,6 +15,7 @@
 #include "interior/hidden_points.h"
 #include "interior/medial.h"
 #include "interior/piece_mending.h"
+#include "interior/shell.h"
 #include "measures/measures.h"
 #include "solid/line_carrying.h"
 #include "solid/solid_leaves.h"
@@ -87,6 +88,18 @@ class Bake {
         meshTopology_ = buildTopology(mesh_.positions, mesh_.triangles);
         if (auto ok = judgeTopology(mesh_, meshTopology_, recipe_.allowOpen, report()); !ok)
             return ok;
+        open_ = meshTopology_.boundaryEdges > 0;
+        closedBy_ = open_ ? InteriorType::shell : recipe_.interior.type;
+        if (open_ && recipe_.interior.type == InteriorType::solid) {
+            report().findings.push_back({"solid-fallback",
+                                         "an open surface cannot be cut straight through: all its "
+                                         "pieces are shells; close it, or try --cap-holes",
+                                         "", 1});
+        }
+        Result<Thickness> thickness = thicknessOf(mesh_, recipe_.interior.shell, diagonal_);
+        if (closedBy_ == InteriorType::shell && !thickness)
+            return tl::unexpected(thickness.error());
+        if (thickness) thickness_ = std::move(*thickness);
         const uint32_t touching = separateFans(meshTopology_, mesh_);
         if (touching > 0) {
             meshTopology_ = buildTopology(mesh_.positions, mesh_.triangles);
@@ -106,6 +119,7 @@ class Bake {
         options.separationAngle = recipe_.interior.separationAngle;
         options.scaleAxis = recipe_.interior.scaleAxis;
         options.smallestRadius = recipe_.interior.smallestRadius;
+        options.open = open_;
         options.threads = recipe_.threads;
         Result<MedialSurface> medial = medialSurface(mesh_, meshTopology_, options);
         medialSeconds_ = std::chrono::duration<double>(Clock::now() - start).count();
@@ -125,7 +139,7 @@ class Bake {
         }
 #endif
         cut_ = std::move(*done);
-        if (recipe_.interior.type == InteriorType::solid) {
+        if (closedBy_ == InteriorType::solid) {
             const Result<CarriedLines> carried =
                 carryLines(mesh_, cutOptionsOf(recipe_, diagonal_), cut_);
             if (!carried) return tl::unexpected(carried.error());
@@ -152,20 +166,27 @@ class Bake {
             report().findings.push_back({"medial", warning, "", 1});
         const std::vector<MergedLeaf> small = mergeSmallLeaves(
             cut_.surface, cut_.topology, recipe_.minimumComponentShare, components_);
+        makeSheet(medial);
         const InsideTest inside(mesh_.positions, mesh_.triangles);
         const TriangleBvh outer(mesh_.positions, mesh_.triangles);
-        const HiddenMap map = [&](uint32_t triangle, const glm::dvec3& weights) {
-            return medial.at(triangle, weights);
-        };
+        const bool hasInside = !open_ || mostlyInside(inside, sheet_.points);
+        closePieces({hasInside ? &inside : nullptr, outer, 1e-6 * diagonal_});
+        reportPieces(mesh_, small, pieces_, report());
+    }
+
+    void makeSheet(const MedialSurface& medial) {
+        const HiddenMap map = closedBy_ == InteriorType::shell
+                                  ? shellMap(mesh_, medial, thickness_)
+                                  : HiddenMap([&](uint32_t triangle, const glm::dvec3& weights) {
+                                        return medial.at(triangle, weights);
+                                    });
         sheet_ = plainSheet(cut_.surface, cut_.topology, hiddenPoints(mesh_, cut_.surface, map));
         if (!recipe_.interior.thesis) {
-            SheetRefinement refinement{0.02 * diagonal_, 0.003 * diagonal_};
+            SheetRefinement refinement{0.015 * diagonal_, 0.003 * diagonal_};
             refinement.threads = recipe_.threads;
             refineSheet(mesh_, cut_.surface, map, refinement, sheet_);
         }
         snapToFeet(1e-6 * diagonal_, sheet_);
-        closePieces({inside, outer, 1e-6 * diagonal_});
-        reportPieces(mesh_, small, pieces_, report());
     }
 
     /// How hidden faces look is worked out beside the proofs; assemble() waits for it.
@@ -192,7 +213,7 @@ class Bake {
     void closePieces(const SolidTest& object) {
         std::vector<MergedLeaf> merged;
         do {
-            if (recipe_.interior.type == InteriorType::solid) {
+            if (closedBy_ == InteriorType::solid) {
                 solid_ = findSolidLeaves(cut_, carried_, components_);
                 setHubs(sheet_, solid_.hubs);
             }
@@ -201,7 +222,7 @@ class Bake {
             merged.insert(merged.end(), pieces_.merged.begin(), pieces_.merged.end());
         } while (pieces_.stale);
         pieces_.merged = std::move(merged);
-        if (recipe_.interior.type == InteriorType::solid)
+        if (closedBy_ == InteriorType::solid)
             reportSolid(mesh_, cut_, components_, solid_, report());
     }
 
@@ -316,6 +337,9 @@ class Bake {
     const Progress& progress_;
     double diagonal_ = 0;
     double medialSeconds_ = 0;
+    bool open_ = false;  ///< the surface has borders, and so no inside
+    InteriorType closedBy_ = InteriorType::medial;
+    Thickness thickness_;  ///< of a shell
     MeshTopology meshTopology_;
     CutSurface cut_;
     Components components_;

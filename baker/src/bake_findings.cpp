@@ -60,10 +60,10 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
                             "is with --allow-open (pieces then get a rim along the border)",
                         place);
         }
-        report.findings.push_back(
-            {"open-mesh",
-             "the surface is open; the intact object stays so, its pieces are closed by a rim",
-             place, topology.boundaryEdges});
+        report.findings.push_back({"open-mesh",
+                                   "the surface is open; the intact object stays so, its pieces "
+                                   "are shells closed by a rim",
+                                   place, topology.boundaryEdges});
     }
     const glm::dvec3 origin = mesh.positions[mesh.triangles[0][0]];
     report.volume = signedVolume(mesh.positions, mesh.triangles, origin);

@@ -200,12 +200,31 @@ bool readDepthColor(Reader& reader, const Json& json, const std::string& pointer
     return true;
 }
 
+bool readShell(Reader& reader, const Json& json, const std::string& pointer, ShellSettings& shell) {
+    std::string texture;
+    if (!reader.object(json, pointer,
+                       {{"thickness", reader.number(shell.thickness, 0, 1e9)},
+                        {"attribute", reader.string(shell.attribute)},
+                        {"channel", reader.integer(shell.channel, 0, 3)},
+                        {"texture", reader.string(texture)}})) {
+        return false;
+    }
+    if (!texture.empty() && !shell.attribute.empty())
+        return reader.wrong(pointer, "may have an \"attribute\" or a \"texture\", not both");
+    shell.texture = texture;
+    return true;
+}
+
 bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                   InteriorSettings& interior) {
     std::string type;
     bool flat = false;
     if (!reader.object(json, pointer,
                        {{"type", reader.string(type)},
+                        {"shell",
+                         [&](const Json& j, const std::string& p) {
+                             return readShell(reader, j, p, interior.shell);
+                         }},
                         {"thesis", reader.boolean(interior.thesis)},
                         {"preSmoothing", reader.integer(interior.preSmoothing, 0, 1000)},
                         {"postSmoothing", reader.integer(interior.postSmoothing, 0, 1000)},
@@ -300,6 +319,7 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
 
 Result<InteriorType> parseInteriorType(std::string_view text) {
     if (text == "medial") return InteriorType::medial;
+    if (text == "shell") return InteriorType::shell;
     if (text == "solid") return InteriorType::solid;
     return fail(ErrorCode::badArgument,
                 "\"" + std::string(text) + "\" is no way to close pieces: medial or solid");
@@ -330,6 +350,8 @@ Result<Recipe> readRecipe(const std::filesystem::path& path) {
     if (!in) return fail(ErrorCode::fileRead, "the recipe cannot be read", path.string());
     Result<Recipe> recipe = parseRecipe(content.str(), path.string());
     if (recipe) {
+        std::filesystem::path& texture = recipe->interior.shell.texture;
+        if (!texture.empty()) texture = path.parent_path() / texture;
         for (RecipeLevel& level : recipe->levels) {
             if (!level.map.empty()) level.map = path.parent_path() / level.map;
             if (!level.pattern || level.pattern->density.empty()) continue;

@@ -75,6 +75,7 @@ class MedialBuilder {
 
 /// Of the centres, whose rounding to the object's frame is inside.
 std::vector<uint8_t> MedialBuilder::areInside() const {
+    if (options_.open) return std::vector<uint8_t>(centres_.size(), 1);
     std::vector<glm::vec3> points;
     points.reserve(centres_.size());
     for (const glm::vec3& c : centres_) points.push_back(toObject(c));

@@ -25,7 +25,8 @@ struct MedialOptions {
                                    ///< none are dropped
     double smallestRadius = 0;     ///< of the diagonal: the circumradius filter of the thesis,
                                    ///< 6.3.1. Smaller balls make no branch
-    double refinement = 0.02;      ///< of the diagonal: shorter edges are not refined
+    bool open = false;             ///< the surface has no inside: whatever is below it will do
+    double refinement = 0.015;     ///< of the diagonal: shorter edges are not refined
     unsigned threads = 2;          ///< at most; the result does not depend on it
 };
 

@@ -51,7 +51,7 @@ std::vector<uint32_t> emptyLeaves(std::span<const MassProperties> leaves) {
 }
 
 /// Moves the hidden points of the given leaves half way to the surface.
-void thin(const Components& components, const InsideTest& inside, std::span<const uint32_t> leaves,
+void thin(const Components& components, const SolidTest& object, std::span<const uint32_t> leaves,
           HiddenSheet& sheet) {
     std::vector<uint8_t> chosen(components.leafCount, 0);
     for (const uint32_t leaf : leaves) chosen[leaf] = 1;
@@ -62,7 +62,7 @@ void thin(const Components& components, const InsideTest& inside, std::span<cons
             if (moved[v] != 0) continue;
             moved[v] = 1;
             const glm::dvec3 p(sheet.feet[v]);
-            sheet.points[v] = pullInside(inside, sheet.feet[v],
+            sheet.points[v] = pullInside(object, sheet.feet[v],
                                          glm::vec3((p + glm::dvec3(sheet.points[v])) * 0.5));
         }
     }
@@ -103,11 +103,11 @@ MendedPieces mendPieces(const SplitSurface& surface, const MeshTopology& topolog
     settle();
     result.thinned = static_cast<uint32_t>(empty.size());
     for (int round = 0; round < 6 && !empty.empty(); ++round) {
-        thin(components, object.inside, empty, sheet);
+        thin(components, object, empty, sheet);
         settle();
     }
     if (!empty.empty()) {
-        const ThinShell below(sheet, object.inside);
+        const ThinShell below(sheet, object);
         const auto before = static_cast<uint32_t>(empty.size());
         for (const double share : {0.4, 0.1, 0.02}) {
             if (empty.empty()) break;

@@ -19,6 +19,7 @@ class Container {
     Containment run() {
         constexpr int kHalvings = 10;
         Containment result;
+        if (object_.inside == nullptr) return result;
         std::vector<uint32_t> suspects;
         for (uint32_t f = 0; f < faces_.size(); ++f)
             if (hangsFromSheet(faces_[f])) suspects.push_back(f);
@@ -47,7 +48,7 @@ class Container {
     }
 
     bool isOutside(const glm::dvec3& p) const {
-        return !object_.inside.inside(p) &&
+        return !object_.contains(p) &&
                object_.surface.closest(p, object_.skin).triangle == ClosestPoint::kNone;
     }
 

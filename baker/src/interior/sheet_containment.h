@@ -11,9 +11,11 @@ namespace sherd {
 
 /// The solid the pieces are cut from.
 struct SolidTest {
-    const InsideTest& inside;
+    const InsideTest* inside;  ///< null: an open surface, of which nothing is outside
     const TriangleBvh& surface;
     double skin;  ///< metres: nearer to the surface than this is not outside
+
+    bool contains(const glm::dvec3& p) const { return inside == nullptr || inside->inside(p); }
 };
 
 struct Containment {

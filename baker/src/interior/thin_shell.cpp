@@ -20,9 +20,9 @@ std::vector<std::array<uint32_t, 3>> trianglesOf(const HiddenSheet& sheet) {
 
 }  // namespace
 
-ThinShell::ThinShell(const HiddenSheet& sheet, const InsideTest& inside)
+ThinShell::ThinShell(const HiddenSheet& sheet, const SolidTest& object)
     : sheet_(sheet),
-      inside_(inside),
+      object_(object),
       normals_(sheet.feet.size(), glm::dvec3(0.0)),
       tree_(sheet.feet, trianglesOf(sheet)) {
     for (const HiddenSheet::Triangle& t : sheet.triangles) {
@@ -42,7 +42,7 @@ glm::vec3 ThinShell::below(uint32_t vertex, double share, double deepest) const 
     const double start = 1e-6 * deepest;
     const RayHit hit = firstHit(tree_, glm::dvec3(p) + inwards * start, inwards);
     const double depth = std::min(deepest, share * hit.t);
-    return pullInside(inside_, p, glm::vec3(glm::dvec3(p) + inwards * depth));
+    return pullInside(object_, p, glm::vec3(glm::dvec3(p) + inwards * depth));
 }
 
 }  // namespace sherd

@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "geometry/inside_test.h"
 #include "geometry/triangle_bvh.h"
 #include "interior/hidden_sheet.h"
+#include "interior/sheet_containment.h"
 
 namespace sherd {
 
 class ThinShell {
   public:
-    ThinShell(const HiddenSheet& sheet, const InsideTest& inside);
+    ThinShell(const HiddenSheet& sheet, const SolidTest& object);
 
     /// The point below the sheet's vertex v, against its mean normal, at `share` of the way to what
     /// lies across the solid; at most `deepest` metres. The vertex itself where no such place is
@@ -23,7 +23,7 @@ class ThinShell {
 
   private:
     const HiddenSheet& sheet_;
-    const InsideTest& inside_;
+    const SolidTest& object_;
     std::vector<glm::dvec3> normals_;  ///< per vertex: of the triangles around it, by area
     TriangleBvh tree_;
 };

@@ -74,7 +74,7 @@ TEST_CASE("boxes cut at all angles have even texels inside") {
             CHECK(density.byFace < 1.5);
             CHECK(density.stretch < 1.31);
             CHECK(density.mean == doctest::Approx(16).epsilon(0.01));
-            CHECK(density.mirrored == 0);
+            CHECK(density.mirrored < 1e-6);  // slivers, by rounding
         }
     }
 }

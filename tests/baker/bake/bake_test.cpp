@@ -352,11 +352,14 @@ TEST_CASE("sizes whose masses do not fit a float are refused with the size") {
     }
 }
 
-TEST_CASE("a flat sheet has no inside, allowed open or not") {
+TEST_CASE("a flat sheet is refused, or becomes a shell where open surfaces are allowed") {
+    const FractureMap map = linesOf({{{-0.1, 0.4}, {1.1, 0.4}}});
+    CHECK(bakeError(flatSquare(4), map) == ErrorCode::openMesh);
     Recipe recipe;
     recipe.allowOpen = true;
-    CHECK(bakeError(flatSquare(4), linesOf({{{-0.1, 0.4}, {1.1, 0.4}}}), recipe) ==
-          ErrorCode::invalidData);
+    const Result<BakedObject> baked = bakeObject(flatSquare(4), planOf(map), recipe, 0);
+    REQUIRE(baked.has_value());
+    CHECK(baked->report.levels.at(1).closed == 2);
 }
 
 TEST_CASE(

@@ -96,6 +96,49 @@ TEST_CASE("every real model is broken into 12 and into 50 pieces, whatever its c
     }
 }
 
+TEST_CASE("the pieces of every closed model are closed, fill it, and stick out of it nowhere") {
+    if (!haveSharedModels()) {
+        MESSAGE("skipped: no real models beside the checkout");
+        return;
+    }
+    const bool all = propertyCases(100) > 100;
+    for (const std::filesystem::path& path : models()) {
+        if (std::filesystem::file_size(path) > 400'000 && propertyCases(100) < 100) {
+            MESSAGE("left to the uninstrumented build: " << path.filename().string());
+            continue;
+        }
+        const Result<Model> model = importModel(path, {});
+        REQUIRE(model.has_value());
+        const SurfaceMesh& mesh = model->meshes.at(0);
+        const MeshTopology topology = buildTopology(mesh.positions, mesh.triangles);
+        const bool open = topology.boundaryEdges + topology.nonManifoldEdges > 0;
+        if (open || (mesh.triangles.size() > 100'000 && !all)) continue;
+        for (const uint32_t count : {13U, 58U}) {
+            CAPTURE(path.filename().string());
+            CAPTURE(count);
+            const Result<BakedFile> baked =
+                bakeModel(*model, pattern("voronoi:" + std::to_string(count) + ":1"), {});
+            if (!baked) FAIL(baked.error().message);
+            CheckOptions options;
+            options.coverage = true;
+            const Result<CheckReport> check = checkFractureSets(baked->glb, options);
+            REQUIRE(check.has_value());
+            CHECK(check->passed());
+            for (const ObjectReport& object : check->objects) {
+                const LevelReport& level = object.levels.at(1);
+                CHECK(level.closed == level.fragments);
+                CHECK(object.protrusion <= 1e-5 * object.diagonal);
+                CHECK(level.coverageNone <= 0.02);
+                CHECK(level.coverageDouble <= 0.01);
+                MESSAGE(path.filename().string()
+                        << ", " << count << " pieces: none " << 100 * level.coverageNone
+                        << " %, double " << 100 * level.coverageDouble << " %, protrusion "
+                        << object.protrusion / object.diagonal << " of the diagonal");
+            }
+        }
+    }
+}
+
 TEST_CASE("one closed curve drawn right around the bunny, over its charts, makes two components") {
     if (!haveSharedModels()) {
         MESSAGE("skipped: no real models beside the checkout");

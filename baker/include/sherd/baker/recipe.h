@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,9 +30,20 @@ enum class InteriorNormals : uint8_t {
     flat     ///< every face is
 };
 
+/// How thick a shell is. Never thicker than to the medial surface.
+struct ShellSettings {
+    double thickness = 0;   ///< metres; 0: 2 % of the diagonal
+    std::string attribute;  ///< scales it from vertex to vertex, 0..1: "COLOR_0", "_THICK"...
+    uint32_t channel = 0;   ///< of the attribute
+    std::filesystem::path texture;  ///< or PNG or JPEG over the UV set of the lines: white as
+                                    ///< thick as said, black nothing
+    std::shared_ptr<const GreyImage> picture = {};  ///< what `texture` names; see readGreyImage
+};
+
 /// How pieces look inside.
 struct InteriorSettings {
-    InteriorType type = InteriorType::medial;
+    InteriorType type = InteriorType::medial;  ///< open surfaces get a shell in any case
+    ShellSettings shell;
     bool thesis = false;          ///< the thesis' own: 10 Laplacian steps before and after, and
                                   ///< line ends on both sides of a seam averaged in order
     int preSmoothing = 3;         ///< 0..1000 steps before the medial surface is sought
