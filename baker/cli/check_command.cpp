@@ -2,6 +2,7 @@
 #include "check_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -15,17 +16,25 @@ namespace sherd::cli {
 namespace {
 
 void printObject(const ObjectReport& object) {
-    std::printf("%-20s %6s %10s %12s %10s", "object", "level", "fragments", "closed", "volume");
     const bool coverage = object.levels[0].coverageNone >= 0;
-    std::printf(coverage ? " %10s %10s\n" : "\n", "none", "double");
+    const bool shapes = object.levels[0].selfIntersections >= 0;
+    std::printf("%-20s %6s %10s %12s %10s %9s", "object", "level", "fragments", "closed", "volume",
+                "hidden");
+    if (coverage) std::printf(" %10s %10s", "none", "double");
+    if (shapes) std::printf(" %10s %11s", "crossings", "thinnest");
+    std::printf("\n");
     for (size_t k = 0; k < object.levels.size(); ++k) {
         const LevelReport& level = object.levels[k];
         const double closed = level.fragments > 0 ? 100.0 * level.closed / level.fragments : 0.0;
-        std::printf("%-20s %6zu %10u %5u %5.4g%% %9.5g%%", object.name.c_str(), k, level.fragments,
-                    level.closed, closed, 100.0 * level.volumeShare);
+        std::printf("%-20s %6zu %10u %5u %5.4g%% %9.5g%% %8.3g%%", object.name.c_str(), k,
+                    level.fragments, level.closed, closed, 100.0 * level.volumeShare,
+                    100.0 * level.hiddenShare);
         if (coverage)
             std::printf(" %9.4g%% %9.4g%%", 100.0 * level.coverageNone,
                         100.0 * level.coverageDouble);
+        if (shapes)
+            std::printf(" %10lld %9.3g m", static_cast<long long>(level.selfIntersections),
+                        std::max(level.thinnest, 0.0));
         std::printf("\n");
     }
     const double share = object.diagonal > 0 ? object.protrusion / object.diagonal : 0.0;
@@ -58,7 +67,8 @@ int runCheck(const CheckArguments& arguments) {
     const auto bytes = readBytes(arguments.input);
     if (!bytes) return printError(bytes.error());
     CheckOptions options;
-    options.coverage = arguments.coverage;
+    options.coverage = arguments.coverage || arguments.measure;
+    options.shapes = arguments.measure;
     auto report = checkFractureSets(*bytes, options);
     if (!report) {
         Error error = report.error();
@@ -85,9 +95,12 @@ void addCheckCommand(CLI::App& app, int& exitCode) {
     command->add_flag("--json", arguments->json, "Print the whole report as JSON");
     command->add_flag("--coverage", arguments->coverage,
                       "Also measure which share of the object lies in no fragment or in several");
+    command->add_flag(
+        "--measure", arguments->measure,
+        "Measure that, where fragments pass through themselves, and how thin they are");
     command->footer(
         "Examples:\n  sherd-bake check out/vase.glb\n"
-        "  sherd-bake check out/vase.glb --json --coverage > report.json");
+        "  sherd-bake check out/vase.glb --json --measure > report.json");
     command->callback([arguments, &exitCode] { exitCode = runCheck(*arguments); });
 }
 

@@ -13,6 +13,7 @@ struct CheckArguments {
     std::filesystem::path input;
     bool json = false;      ///< the report as JSON on stdout instead of a table
     bool coverage = false;  ///< also measure how completely each level fills the object
+    bool measure = false;   ///< that, and self-intersections and the thinnest part
 };
 
 /// Re-verifies a baked file from the file alone. Returns an exit code.

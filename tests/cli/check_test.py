@@ -55,6 +55,18 @@ class DamagedFiles(CommandCase):
         at = self.place(self.positions(), index)
         return self.binary[at:at + 12]
 
+    def test_measures_are_told_when_asked_for(self):
+        plain = json.loads(self.succeed('check', self.baked, '--json').stdout)
+        self.assertNotIn('coverage', plain['objects'][0]['levels'][1])
+        self.assertGreater(plain['objects'][0]['levels'][1]['hiddenShare'], 0)
+        told = json.loads(self.succeed('check', self.baked, '--json', '--measure').stdout)
+        for level in told['objects'][0]['levels']:
+            self.assertLess(level['coverage']['none'], 0.05)
+            self.assertGreaterEqual(level['selfIntersections'], 0)
+            self.assertGreater(level['thinnest'], 0)
+        table = self.succeed('check', self.baked, '--measure').stdout
+        self.assertRegex(table.splitlines()[0], r'none +double +crossings +thinnest')
+
     def test_repacking_alone_changes_nothing(self):
         path = self.write('repacked.glb', inputs.pack_glb(self.document, self.binary))
         self.succeed('check', path)

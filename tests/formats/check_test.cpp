@@ -128,6 +128,35 @@ TEST_CASE("a fragment that is missing or doubled shows in the coverage") {
     CHECK(report.objects[0].levels[0].coverageNone == 0);
 }
 
+TEST_CASE("what shows only since the object broke is measured as a share of the surface") {
+    const CheckReport report = checked(bake(makeFracturedCube(threeLevels())));
+    const double whole = 2 * (1 * 2 + 2 * 0.7 + 0.7 * 1);
+    CHECK(report.objects[0].levels[0].hiddenShare == 0);
+    CHECK(report.objects[0].levels[1].hiddenShare == doctest::Approx(2.8 / (whole + 2.8)));
+    CHECK(report.objects[0].levels[0].selfIntersections == -1);
+}
+
+TEST_CASE("boxes pass through nothing, and a corner pulled through a face is told") {
+    FractureSet set = makeFracturedCube(threeLevels());
+    CheckOptions options;
+    options.shapes = true;
+    CheckReport sound;
+    checkFractureSet(set, options, 0, sound);
+    for (const LevelReport& level : sound.objects[0].levels) CHECK(level.selfIntersections == 0);
+    CHECK(sound.objects[0].levels[3].thinnest == doctest::Approx(0.175));
+    CHECK(sound.findings.empty());
+    const uint32_t last = lastFragment(set);
+    const glm::vec3 corner = set.fragments[last].centerOfMass;
+    forEachVertexOf(set, last, [&](glm::vec3& p) {
+        if (p.x > corner.x && p.y > corner.y && p.z > corner.z) p -= glm::vec3(0.1F, 0.9F, 0.07F);
+    });
+    CheckReport broken;
+    checkFractureSet(set, options, 0, broken);
+    CHECK(broken.objects[0].levels[3].selfIntersections > 0);
+    CHECK(std::any_of(broken.findings.begin(), broken.findings.end(),
+                      [](const Finding& f) { return f.code == "self_intersecting"; }));
+}
+
 TEST_CASE("one collapsed triangle opens its fragments") {
     FractureSet set = makeFracturedCube(threeLevels());
     const uint32_t first = set.geometry.primitives[3].indices.first;

@@ -10,7 +10,7 @@ namespace sherd {
 
 struct ThicknessOptions {
     uint32_t samples = 256;  ///< per fragment, 1 or more
-    double share = 0.05;     ///< of a fragment's surface that counts as its thinnest part
+    double share = 0.1;      ///< of a fragment's surface that counts as its thinnest part
     uint32_t seed = 1;
     unsigned threads = 2;  ///< at most; the result does not depend on it
 };

@@ -35,6 +35,8 @@ void checkHulls(CheckContext& context);
 void checkBonds(CheckContext& context);
 void checkNormals(CheckContext& context);
 void checkHiddenInside(CheckContext& context);
+void measureHiddenArea(CheckContext& context);
 void measureCoverage(CheckContext& context);
+void measureShapes(CheckContext& context);
 
 }  // namespace sherd

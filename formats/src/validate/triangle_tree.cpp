@@ -83,6 +83,34 @@ uint32_t TriangleTree::build(uint32_t begin, uint32_t end) {
     return index;
 }
 
+TriangleTree::Node TriangleTree::boxOf(const std::array<uint32_t, 3>& triangle) const {
+    const glm::vec3 &a = positions_[triangle[0]], &b = positions_[triangle[1]],
+                    &c = positions_[triangle[2]];
+    return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), 0, 0};
+}
+
+bool TriangleTree::meet(const Node& a, const Node& b) {
+    for (int k = 0; k < 3; ++k)
+        if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+    return true;
+}
+
+/// Lengths of `along` after which the ray is in the box; infinite if it passes by.
+double TriangleTree::reached(const Node& box, const glm::dvec3& from, const glm::dvec3& along) {
+    double begin = 0;
+    double end = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+        const double toLow = box.low[k] - from[k], toHigh = box.high[k] - from[k];
+        if (along[k] == 0) {
+            if (toLow > 0 || toHigh < 0) return std::numeric_limits<double>::infinity();
+            continue;
+        }
+        begin = std::max(begin, std::min(toLow / along[k], toHigh / along[k]));
+        end = std::min(end, std::max(toLow / along[k], toHigh / along[k]));
+    }
+    return begin <= end ? begin : std::numeric_limits<double>::infinity();
+}
+
 double TriangleTree::distance(const glm::dvec3& point, double enough) const {
     double best = std::numeric_limits<double>::max();
     std::array<uint32_t, 64> stack{};  // the tree is balanced: 2^32 triangles are 32 deep

@@ -4,7 +4,8 @@
 //             volume_sum, mass_wrong, mass_sum, density_wrong, center_of_mass_wrong, inertia_wrong,
 //             hidden_outside, hull_flat, hull_outside, bond_area, bond_centroid, bond_normal,
 //             no_bonds, normal_not_unit, stale
-//   warnings: no_collider, hull_small, hull_shared, bond_missing     notes: object_open
+//   warnings: no_collider, hull_small, hull_shared, bond_missing     notes: object_open,
+//             self_intersecting, crossings_uncounted
 #include "sherd/formats/validate.h"
 
 #include <algorithm>
@@ -65,9 +66,12 @@ void checkFresh(const nlohmann::json& document, std::span<const uint8_t> bin,
 nlohmann::ordered_json levelJson(const LevelReport& level) {
     nlohmann::ordered_json out = {{"fragments", level.fragments},
                                   {"closed", level.closed},
-                                  {"volumeShare", level.volumeShare}};
+                                  {"volumeShare", level.volumeShare},
+                                  {"hiddenShare", level.hiddenShare}};
     if (level.coverageNone >= 0)
         out["coverage"] = {{"none", level.coverageNone}, {"double", level.coverageDouble}};
+    if (level.selfIntersections >= 0) out["selfIntersections"] = level.selfIntersections;
+    if (level.thinnest >= 0) out["thinnest"] = level.thinnest;
     return out;
 }
 
@@ -128,7 +132,9 @@ void checkFractureSet(const FractureSet& set, const CheckOptions& options, int32
     checkBonds(context);
     checkNormals(context);
     checkHiddenInside(context);
+    measureHiddenArea(context);
     if (options.coverage) measureCoverage(context);
+    if (options.shapes) measureShapes(context);
     report.objects.push_back(std::move(out));
 }
 

@@ -49,13 +49,14 @@ struct BakedFragmentReport {
     double volume = 0;       ///< cubic metres
     double hiddenShare = 0;  ///< of its surface
     // Not measured where they are empty.
-    std::optional<double> overlap = {};  ///< share of it that lies in others of its level, too
-    std::optional<double> protrusion =
-        {};  ///< how far its hidden faces reach out of the object, metres
-    std::optional<uint64_t> selfIntersections =
-        {};                               ///< pairs of its triangles that cross or overlap
-    std::optional<double> thinnest = {};  ///< straight inwards from the surface, metres: as much as
-                                          ///< 5 % of the surface has at most
+    /// Share of it that lies in other fragments of its level, too.
+    std::optional<double> overlap = {};
+    /// How far its hidden faces reach out of the object, metres.
+    std::optional<double> protrusion = {};
+    /// Pairs of its triangles that cross or overlap.
+    std::optional<uint64_t> selfIntersections = {};
+    /// Straight inwards from the surface, metres: as much as a tenth of the surface has at most.
+    std::optional<double> thinnest = {};
 };
 
 struct StageTime {

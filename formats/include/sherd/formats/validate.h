@@ -34,8 +34,14 @@ struct LevelReport {
     uint32_t fragments = 0;      ///< that make up the object at this level
     uint32_t closed = 0;         ///< of them
     double volumeShare = 0;      ///< their volume over the object's
+    double hiddenShare = 0;      ///< of the fragments' area: what shows only since they broke off
     double coverageNone = -1;    ///< share of points in no fragment; -1: not measured
     double coverageDouble = -1;  ///< share of points in more than one
+    int64_t selfIntersections = -1;  ///< pairs of triangles of one fragment whose insides share a
+                                     ///< point; -1: not measured
+    /// Metres; a tenth of the thinnest fragment's surface is no thicker, straight inwards. -1: not
+    /// measured, or there is none.
+    double thinnest = -1;
 };
 
 struct ObjectReport {
@@ -60,6 +66,7 @@ struct CheckReport {
 struct CheckOptions {
     double tolerance = 1e-5;  ///< how far hidden vertices may lie outside, share of the diagonal
     bool coverage = false;    ///< also measure coverage
+    bool shapes = false;      ///< also count self-intersections and find the thinnest part
     uint32_t coveragePoints = 20000;
     uint32_t seed = 1;
 };

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "thin_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <random>
+
+#include "triangle_tree.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::max();
+
+struct Facet {
+    glm::dvec3 a{0}, b{0}, c{0};
+    Facet(const std::vector<glm::vec3>& positions, const std::array<uint32_t, 3>& t)
+        : a(positions[t[0]]), b(positions[t[1]]), c(positions[t[2]]) {}
+    glm::dvec3 normal() const { return glm::cross(b - a, c - a); }
+};
+
+/// Lengths of `along` to the facet if the line leaves through it, by the volumes that the line
+/// spans with its edges.
+double exitAt(const Facet& f, const glm::dvec3& from, const glm::dvec3& along) {
+    const glm::dvec3 n = f.normal();
+    const double speed = glm::dot(n, along);
+    if (!(speed > 0)) return kNone;
+    const glm::dvec3 a = f.a - from, b = f.b - from, c = f.c - from;
+    if (glm::dot(along, glm::cross(a, b)) < 0 || glm::dot(along, glm::cross(b, c)) < 0 ||
+        glm::dot(along, glm::cross(c, a)) < 0)
+        return kNone;
+    const double length = glm::dot(n, a) / speed;
+    return length > 0 ? length : kNone;
+}
+
+}  // namespace
+
+double thinnestPart(const std::vector<glm::vec3>& positions,
+                    const std::vector<std::array<uint32_t, 3>>& triangles, uint32_t points,
+                    double share, uint32_t seed) {
+    std::vector<double> upTo;  // areas, summed
+    double area = 0;
+    for (const auto& t : triangles) {
+        area += 0.5 * glm::length(Facet(positions, t).normal());
+        upTo.push_back(area);
+    }
+    if (!(area > 0)) return 0;
+    const TriangleTree tree(positions, triangles);
+    std::mt19937 random(seed);
+    const auto unit = [&random] { return random() / 4294967296.0; };
+    std::vector<double> lengths;
+    for (uint32_t i = 0; i < points; ++i) {
+        const auto found = std::upper_bound(upTo.begin(), upTo.end(), unit() * area);
+        const size_t t = std::min<size_t>(found - upTo.begin(), triangles.size() - 1);
+        const Facet facet(positions, triangles[t]);
+        // A point of the parallelogram, folded into the triangle.
+        double x = unit(), y = unit();
+        if (x + y > 1) {
+            x = 1 - x;
+            y = 1 - y;
+        }
+        const glm::dvec3 from = facet.a + x * (facet.b - facet.a) + y * (facet.c - facet.a);
+        const glm::dvec3 inwards = -glm::normalize(facet.normal());
+        double nearest = kNone;
+        tree.forEachAlong(from, inwards, nearest, [&](const std::array<uint32_t, 3>& other) {
+            if (other != triangles[t])
+                nearest = std::min(nearest, exitAt(Facet(positions, other), from, inwards));
+        });
+        lengths.push_back(nearest);
+    }
+    std::sort(lengths.begin(), lengths.end());
+    const double length = lengths[static_cast<size_t>(share * (points - 1))];
+    return length < kNone ? length : 0;
+}
+
+}  // namespace sherd
