@@ -88,10 +88,12 @@ class DamagedFiles(CommandCase):
                 # Another vertex in the same place leaves the same surface.
                 if after < vertices and self.position_of(before) == self.position_of(after):
                     continue
-                # So does a triangle whose other two corners are in one place: it is no face.
-                others = [self.index_of(e) for e in range(element // 3 * 3, element // 3 * 3 + 3)
-                          if e != element]
-                if after < vertices and len({self.position_of(v) for v in others}) == 1:
+                # So does a triangle that was no face, having two corners in one place, and is none.
+                corners = [self.index_of(e) for e in range(element // 3 * 3, element // 3 * 3 + 3)]
+                changed = list(corners)
+                changed[element % 3] = after
+                if after < vertices and all(len({self.position_of(v) for v in triangle}) < 3
+                                            for triangle in (corners, changed)):
                     continue
                 tried += 1
                 with self.subTest(element=element, byte=byte, flip=flip):

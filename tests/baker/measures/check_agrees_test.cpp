@@ -83,7 +83,7 @@ TEST_CASE("they agree on pieces that were broken on purpose") {
         const Range range = set.fragmentRanges[last * primitives + p];
         for (uint32_t i = range.first; i < range.first + range.count; ++i) {
             glm::vec3& at = set.geometry.positions[set.geometry.indices[i]];
-            at.z += 0.05F;
+            at.z += 0.6F;
         }
     }
     const InsideTest test(mesh.positions, mesh.triangles);
