@@ -203,6 +203,12 @@ void reportCarried(const CarriedLines& carried, BakedObjectReport& report) {
 
 void reportSolid(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,
                  const SolidLeaves& solid, BakedObjectReport& report) {
+    if (solid.strays > 0) {
+        report.findings.push_back({"stray-lumps",
+                                   "stray bits of a pattern's cells joined the neighbour with the "
+                                   "largest common wall",
+                                   "", solid.strays});
+    }
     const std::vector<MergedLeaf> all = placesOfLeaves(cut.surface, components);
     std::vector<MergedLeaf> left;
     double area = 0;

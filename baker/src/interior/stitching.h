@@ -38,6 +38,8 @@ struct SolidLeaves {
     std::vector<uint8_t> solid;     ///< per leaf; empty: none is
     std::vector<HiddenFace> faces;  ///< their walls
     std::vector<glm::vec3> hubs;    ///< points inside the solid that these use
+    uint32_t strays = 0;  ///< bits of cells that went to a neighbour, hanging together with
+                          ///< the rest neither outside nor inside
 
     bool contains(uint32_t leaf) const { return !solid.empty() && solid[leaf] != 0; }
 };

@@ -164,10 +164,11 @@ class CellWalker {
             if (!plane) return kNever;
             const double slope = glm::dot(plane->normal, walk.along);
             const double value = plane->at(walk.place);
-            if (slope > kAlong)
-                way = std::max(way, -value / slope);
-            else if (value < -kNear * size_)
-                return kNever;
+            // Level with it: a piece that the first cuts of both keep equally near.
+            const bool isLevel = std::abs(slope) <= kAlong && value > -kNear * size_;
+            if (isLevel) continue;
+            if (slope <= 0) return kNever;
+            way = std::max(way, -value / slope);
         }
         return way;
     }

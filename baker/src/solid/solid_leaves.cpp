@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "geometry/closed_mesh.h"
+#include "solid/lumps.h"
 #include "solid/solid_walls.h"
 #include "solid/twin_leaves.h"
 #include "surface/component_merging.h"
@@ -33,17 +34,18 @@ uint32_t outerTriangle(const std::array<CornerRef, 3>& corners, uint32_t leaf,
                                  components.leaf.begin());
 }
 
-/// The walls of chosen pieces. leafOf: per piece its leaf.
+/// The walls of chosen lumps. leafOf: per lump its leaf.
 std::vector<HiddenFace> facesOf(const SolidWalls& solid, std::span<const uint8_t> chosen,
                                 std::span<const uint32_t> leafOf, const Components& components) {
     std::vector<HiddenFace> faces;
     for (const SolidWall& wall : solid.walls) {
+        if (leafOf[wall.low] == leafOf[wall.high]) continue;
         for (const bool low : {true, false}) {
-            const uint32_t piece = low ? wall.low : wall.high;
+            const uint32_t lump = low ? wall.low : wall.high;
             const uint32_t other = low ? wall.high : wall.low;
-            if (chosen[piece] == 0) continue;
+            if (chosen[lump] == 0) continue;
             HiddenFace face;
-            face.leaf = leafOf[piece];
+            face.leaf = leafOf[lump];
             face.neighbour = leafOf[other];
             face.wall = true;
             face.exposedFrom =
@@ -119,8 +121,10 @@ SolidLeaves findSolidLeaves(const CutSurface& cut, bool carried, Components& com
         [&cut](uint32_t level) { return !cut.hasCells(level); }, carried);
     std::vector<uint32_t> pieceOf;  // per leaf as it was
     const Components pieces = uniteLeaves(components, twins, pieceOf);
-    const SolidWalls walls = betterWalls(cut, pieces);
-    std::vector<uint8_t> chosen = walls.solid;
+    SolidWalls walls = betterWalls(cut, pieces);
+    std::vector<uint8_t> chosen = walls.solid;  // per piece
+    const bool sited = CellSpace::of(cut, pieces).has_value();
+    const Lumps lumps = splitLumps(cut.surface, cut.topology, pieces, cut.groups, sited, walls);
     for (;;) {
         // Twins that are not solid stay apart.
         std::vector<uint32_t> group = twins;
@@ -131,13 +135,27 @@ SolidLeaves findSolidLeaves(const CutSurface& cut, bool carried, Components& com
         SolidLeaves leaves;
         leaves.solid.assign(result.leafCount, 0);
         leaves.hubs = walls.hubs;
-        std::vector<uint32_t> leafOf(pieces.leafCount, kNone);
+        std::vector<uint32_t> leafOfPiece(pieces.leafCount, kNone);
         for (uint32_t leaf = 0; leaf < group.size(); ++leaf) {
-            if (leafOf[pieceOf[leaf]] == kNone) leafOf[pieceOf[leaf]] = newLeaf[leaf];
+            if (leafOfPiece[pieceOf[leaf]] == kNone) leafOfPiece[pieceOf[leaf]] = newLeaf[leaf];
             leaves.solid[newLeaf[leaf]] = chosen[pieceOf[leaf]];
         }
-        leaves.faces = facesOf(walls, chosen, leafOf, result);
+        std::vector<uint32_t> leafOf;
+        std::vector<uint8_t> chosenLumps;
+        for (uint32_t lump = 0; lump < lumps.pieceOf.size(); ++lump) {
+            const uint32_t own = lumps.pieceOf[lump], target = lumps.target[lump];
+            const bool moves = chosen[own] != 0 && chosen[target] != 0;
+            leafOf.push_back(leafOfPiece[moves ? target : own]);
+            chosenLumps.push_back(chosen[own]);
+        }
+        for (uint32_t t = 0; t < result.leaf.size(); ++t) {
+            const uint32_t lump = lumps.ofTriangle[t];
+            if (lumps.target[lump] != lumps.pieceOf[lump] && chosenLumps[lump] != 0)
+                result.leaf[t] = leafOf[lump];
+        }
+        leaves.faces = facesOf(walls, chosenLumps, leafOf, result);
         if (!dropOpen(cut.surface, cut.topology, result, leaves)) {
+            leaves.strays = lumps.strays;
             components = std::move(result);
             return leaves;
         }

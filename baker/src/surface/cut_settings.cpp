@@ -16,6 +16,7 @@ CutOptions cutOptionsOf(const Recipe& recipe, double diagonal) {
     options.snapDistance = recipe.snapShare * diagonal;
     options.wrap = recipe.wrap;
     options.splitPatches = recipe.splitParts;
+    options.wholeCells = recipe.interior.type == InteriorType::solid;
     return options;
 }
 

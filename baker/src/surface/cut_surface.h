@@ -28,6 +28,8 @@ struct CutOptions {
     double snapDistance = 1e300;  ///< places in 3D farther from the surface are refused; metres
     PageWrap wrap = PageWrap::texture;
     bool splitPatches = false;  ///< every patch of a pattern's cell is a piece of its own
+    bool wholeCells = false;    ///< all patches of a site's cell are one piece: they may hang
+                              ///< together inside
 };
 
 struct CutSurface {

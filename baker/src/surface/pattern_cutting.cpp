@@ -24,6 +24,7 @@ Result<void> PatternCutter::growPattern(const FracturePlan::Grown& grown, uint32
     if (!density) return tl::unexpected(density.error());
     input.density = *density;
     Growth growth = growCells(input, pattern, level, mark);
+    growth.cells.wholeCells = work_.options.wholeCells;
     work_.result.cells.push_back(std::move(growth.cells));
     return work_.cutChords(growth.chords);
 }
