@@ -38,15 +38,15 @@ class Bake {
 
     Result<BakedObject> run() {
         if (auto ok = inspect(); !ok) return tl::unexpected(ok.error());
-        // The medial surface depends on the mesh only, so it is computed beside the cutting.
-        std::future<Result<MedialSurface>> medial =
-            std::async(recipe_.threads > 1 ? std::launch::async : std::launch::deferred,
-                       [this] { return findMedial(); });
+        // The medial surface depends on the mesh only, so it is computed beside the cutting; for
+        // solid pieces only if one of them turns out to need it.
+        const bool beside = recipe_.threads > 1 && closedBy_ != InteriorType::solid;
+        medial_ = std::async(beside ? std::launch::async : std::launch::deferred,
+                             [this] { return findMedial(); });
         const Result<void> cutDone = cut();
-        const Result<MedialSurface> medialDone = medial.get();
+        if (beside) medial_.wait();
         if (!cutDone) return tl::unexpected(cutDone.error());
-        if (!medialDone) return tl::unexpected(medialDone.error());
-        stitchPieces(*medialDone);
+        if (auto ok = stitchPieces(); !ok) return tl::unexpected(ok.error());
         if (auto ok = judgeMerged(components_, cut_, pieces_, report()); !ok) {
             return tl::unexpected(ok.error());
         }
@@ -157,21 +157,49 @@ class Bake {
     }
 
     /// Thesis steps 6 and 7: hidden points, and every component closed by its sheet and walls.
-    void stitchPieces(const MedialSurface& medial) {
+    Result<void> stitchPieces() {
         const StageTimer timer = stage("stitching", 0.6);
-        report().stages.push_back({"medial surface (beside)", medialSeconds_});
-        if (medial.delaunaySeconds > 0)
-            report().stages.push_back({"of it, Delaunay", medial.delaunaySeconds});
-        for (const std::string& warning : medial.warnings)
-            report().findings.push_back({"medial", warning, "", 1});
         const std::vector<MergedLeaf> small = mergeSmallLeaves(
             cut_.surface, cut_.topology, recipe_.minimumComponentShare, components_);
-        makeSheet(medial);
+        if (auto ok = closePieces(); !ok) return ok;
+        reportPieces(mesh_, small, pieces_, report());
+        return {};
+    }
+
+    /// Merging pieces without volume changes what can be solid: then all over again.
+    Result<void> closePieces() {
         const InsideTest inside(mesh_.positions, mesh_.triangles);
         const TriangleBvh outer(mesh_.positions, mesh_.triangles);
-        const bool hasInside = !open_ || mostlyInside(inside, sheet_.points);
-        closePieces({hasInside ? &inside : nullptr, outer, 1e-6 * diagonal_});
-        reportPieces(mesh_, small, pieces_, report());
+        std::vector<MergedLeaf> merged;
+        do {
+            if (closedBy_ == InteriorType::solid)
+                solid_ = findSolidLeaves(cut_, carried_, components_);
+            if (!solid_.containsAll() && medial_.valid()) {
+                if (auto ok = takeMedial(); !ok) return ok;
+            }
+            setHubs(sheet_, solid_.hubs);
+            const bool hasInside = !open_ || mostlyInside(inside, sheet_.points);
+            pieces_ = mendPieces(cut_.surface, cut_.topology,
+                                 {hasInside ? &inside : nullptr, outer, 1e-6 * diagonal_},
+                                 recipe_.threads, sheet_, components_, solid_);
+            merged.insert(merged.end(), pieces_.merged.begin(), pieces_.merged.end());
+        } while (pieces_.stale);
+        pieces_.merged = std::move(merged);
+        if (closedBy_ == InteriorType::solid)
+            reportSolid(mesh_, cut_, components_, solid_, report());
+        return {};
+    }
+
+    Result<void> takeMedial() {
+        const Result<MedialSurface> medial = medial_.get();
+        report().stages.push_back({"medial surface (beside)", medialSeconds_});
+        if (!medial) return tl::unexpected(medial.error());
+        if (medial->delaunaySeconds > 0)
+            report().stages.push_back({"of it, Delaunay", medial->delaunaySeconds});
+        for (const std::string& warning : medial->warnings)
+            report().findings.push_back({"medial", warning, "", 1});
+        makeSheet(*medial);
+        return {};
     }
 
     void makeSheet(const MedialSurface& medial) {
@@ -208,22 +236,6 @@ class Bake {
                     hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces), mesh_,
                     recipe_.interior, tile);
             });
-    }
-
-    void closePieces(const SolidTest& object) {
-        std::vector<MergedLeaf> merged;
-        do {
-            if (closedBy_ == InteriorType::solid) {
-                solid_ = findSolidLeaves(cut_, carried_, components_);
-                setHubs(sheet_, solid_.hubs);
-            }
-            pieces_ = mendPieces(cut_.surface, cut_.topology, object, recipe_.threads, sheet_,
-                                 components_, solid_);
-            merged.insert(merged.end(), pieces_.merged.begin(), pieces_.merged.end());
-        } while (pieces_.stale);
-        pieces_.merged = std::move(merged);
-        if (closedBy_ == InteriorType::solid)
-            reportSolid(mesh_, cut_, components_, solid_, report());
     }
 
     /// Every fragment of every level, over vertex ids; over positions it is proven after assembly.
@@ -343,6 +355,7 @@ class Bake {
     MeshTopology meshTopology_;
     CutSurface cut_;
     Components components_;
+    std::future<Result<MedialSurface>> medial_;  ///< until a sheet is made of it
     HiddenSheet sheet_;
     bool carried_ = false;  ///< lines onto the far side of walls
     SolidLeaves solid_;     ///< none unless the interior is solid

@@ -3,6 +3,7 @@
 // from its border to the border of the sheet. Piece of a component C: C - M(C) - Wall(border of C).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -42,6 +43,9 @@ struct SolidLeaves {
                           ///< the rest neither outside nor inside
 
     bool contains(uint32_t leaf) const { return !solid.empty() && solid[leaf] != 0; }
+    bool containsAll() const {
+        return !solid.empty() && std::find(solid.begin(), solid.end(), 0) == solid.end();
+    }
 };
 
 /// The hidden faces of all leaves, in the order of the sheet's triangles, then those of solid ones.
