@@ -29,7 +29,7 @@ struct CutOptions {
     PageWrap wrap = PageWrap::texture;
     bool splitPatches = false;  ///< every patch of a pattern's cell is a piece of its own
     bool wholeCells = false;    ///< all patches of a site's cell are one piece: they may hang
-                              ///< together inside
+                                ///< together inside
 };
 
 struct CutSurface {
