@@ -11,6 +11,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <thread>
 #include <utility>
 
 namespace sherd {
@@ -84,7 +85,7 @@ struct BallTree::Query {
 
 BallTree::BallTree(std::span<const glm::vec3> positions,
                    std::span<const std::array<uint32_t, 3>> triangles,
-                   std::span<const uint32_t> opposite, double separationAngle)
+                   std::span<const uint32_t> opposite, double separationAngle, unsigned threads)
     : sinHalf_(static_cast<float>(std::sin(separationAngle / 2))) {
     triangles_.reserve(triangles.size());
     for (const auto& t : triangles) {
@@ -101,8 +102,11 @@ BallTree::BallTree(std::span<const glm::vec3> positions,
     }
     std::vector<uint32_t> order(triangles_.size());
     std::iota(order.begin(), order.end(), 0U);
-    nodes_.reserve(triangles_.size());
-    if (!triangles_.empty()) build(order, 0, static_cast<uint32_t>(triangles_.size()));
+    if (!triangles_.empty()) {
+        const auto count = static_cast<uint32_t>(triangles_.size());
+        nodes_.resize(nodesOf(count));
+        build(order, {0, count, 0}, threads);
+    }
     renumber(order, opposite);
 }
 
@@ -125,40 +129,67 @@ void BallTree::renumber(std::span<const uint32_t> order, std::span<const uint32_
     }
 }
 
-void BallTree::build(std::span<uint32_t> order, uint32_t first, uint32_t last) {
-    const auto self = static_cast<uint32_t>(nodes_.size());
-    nodes_.emplace_back();
-    bound(nodes_[self], order.subspan(first, last - first));
-    if (last - first <= kLeafSize) {
-        nodes_[self].first = first;
-        nodes_[self].count = last - first;
-        return;
-    }
-    const glm::vec3 size = nodes_[self].extent;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-    const uint32_t middle = first + (last - first) / 2;
-    const auto key = [&](uint32_t t) {
-        return triangles_[t].a[axis] + triangles_[t].b[axis] + triangles_[t].c[axis];
-    };
-    std::nth_element(
-        order.begin() + first, order.begin() + middle, order.begin() + last,
-        [&](uint32_t x, uint32_t y) { return std::pair(key(x), x) < std::pair(key(y), y); });
-    build(order, first, middle);
-    nodes_[self].first = static_cast<uint32_t>(nodes_.size());
-    build(order, middle, last);
+/// Of a subtree over so many triangles: its shape is known beforehand, so parts can be built at
+/// once.
+uint32_t BallTree::nodesOf(uint32_t triangles) {
+    if (triangles <= kLeafSize) return 1;
+    return 1 + nodesOf(triangles / 2) + nodesOf(triangles - triangles / 2);
 }
 
-void BallTree::bound(Node& node, std::span<const uint32_t> members) const {
-    glm::vec3 low = triangles_[members[0]].a, high = low, normal(0.0F);
+void BallTree::build(std::span<uint32_t> order, const Subtree& at, unsigned threads) {
+    Node& node = nodes_[at.root];
+    const uint32_t count = at.last - at.first;
+    if (count <= kSlabSize) setSlab(node, order.subspan(at.first, count));
+    if (count <= kLeafSize) {
+        setBox(node, order.subspan(at.first, count));
+        node.first = at.first;
+        node.count = count;
+        return;
+    }
+    glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+    for (uint32_t i = at.first; i < at.last; ++i) {
+        low = glm::min(low, triangles_[order[i]].middle);
+        high = glm::max(high, triangles_[order[i]].middle);
+    }
+    const glm::vec3 size = high - low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+    const uint32_t middle = at.first + count / 2;
+    const auto key = [&](uint32_t t) { return std::pair(triangles_[t].middle[axis], t); };
+    std::nth_element(order.begin() + at.first, order.begin() + middle, order.begin() + at.last,
+                     [&](uint32_t x, uint32_t y) { return key(x) < key(y); });
+    const Subtree left{at.first, middle, at.root + 1};
+    const Subtree right{middle, at.last, at.root + 1 + nodesOf(count / 2)};
+    node.first = right.root;
+    std::thread other;
+    if (threads > 1) other = std::thread([&] { build(order, right, threads / 2); });
+    build(order, left, (threads + 1) / 2);
+    if (threads <= 1) build(order, right, 1);
+    if (other.joinable()) other.join();
+    const Node &l = nodes_[left.root], &r = nodes_[right.root];
+    const glm::vec3 least = glm::min(l.centre - l.extent, r.centre - r.extent);
+    const glm::vec3 most = glm::max(l.centre + l.extent, r.centre + r.extent);
+    node.centre = 0.5F * (least + most);
+    node.extent = 0.5F * (most - least) + 1e-7F;
+}
+
+void BallTree::setBox(Node& node, std::span<const uint32_t> members) const {
+    glm::vec3 low = triangles_[members[0]].a, high = low;
     for (const uint32_t i : members) {
         const Triangle& t = triangles_[i];
         low = glm::min(low, glm::min(t.a, glm::min(t.b, t.c)));
         high = glm::max(high, glm::max(t.a, glm::max(t.b, t.c)));
-        normal += glm::cross(t.b - t.a, t.c - t.a);
     }
     node.centre = 0.5F * (low + high);
     // A little more, for what rounding took.
     node.extent = 0.5F * (high - low) + 1e-6F * (glm::abs(low) + glm::abs(high));
+}
+
+void BallTree::setSlab(Node& node, std::span<const uint32_t> members) const {
+    glm::vec3 normal(0.0F);
+    for (const uint32_t i : members) {
+        const Triangle& t = triangles_[i];
+        normal += glm::cross(t.b - t.a, t.c - t.a);
+    }
     const float length = glm::length(normal);
     node.normal = length > 0 ? normal / length : glm::vec3(1, 0, 0);
     node.low = std::numeric_limits<float>::infinity();

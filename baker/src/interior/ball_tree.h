@@ -32,7 +32,7 @@ class BallTree {
     /// opposite per half edge as in MeshTopology. separationAngle in radians, 0..pi.
     BallTree(std::span<const glm::vec3> positions,
              std::span<const std::array<uint32_t, 3>> triangles, std::span<const uint32_t> opposite,
-             double separationAngle);
+             double separationAngle, unsigned threads = 1);
 
     /// The largest ball that no triangle enters by more than two percent of its radius, and
     /// what it touches not by more than a thousandth; at most
@@ -48,9 +48,9 @@ class BallTree {
   private:
     struct Query;
     struct Node {
-        glm::vec3 centre, extent;  ///< box: centre +- extent
-        glm::vec3 normal;          ///< with low and high: all points q have low <= normal.q <= high
-        float low = 0, high = 0;
+        glm::vec3 centre, extent;   ///< box: centre +- extent
+        glm::vec3 normal{1, 0, 0};  ///< with low and high: all points have low <= normal.q <= high
+        float low = -1e30F, high = 1e30F;
         uint32_t first = 0;  ///< leaf: first triangle; inner node: right child (left one is next)
         uint32_t count = 0;  ///< triangles of a leaf, 0 for inner nodes
     };
@@ -61,9 +61,16 @@ class BallTree {
         float extent;      ///< radius of that ball
     };
     static constexpr uint32_t kLeafSize = 4;
+    static constexpr uint32_t kSlabSize = 512;  ///< larger patches are not flat
 
-    void build(std::span<uint32_t> order, uint32_t first, uint32_t last);
-    void bound(Node& node, std::span<const uint32_t> members) const;
+    struct Subtree {
+        uint32_t first, last;  ///< of the order
+        uint32_t root;         ///< node
+    };
+    static uint32_t nodesOf(uint32_t triangles);
+    void build(std::span<uint32_t> order, const Subtree& at, unsigned threads);
+    void setBox(Node& node, std::span<const uint32_t> members) const;
+    void setSlab(Node& node, std::span<const uint32_t> members) const;
     void renumber(std::span<const uint32_t> order, std::span<const uint32_t> opposite);
     void search(Query& query) const;
     bool shrinkBy(Query& query, uint32_t triangle) const;

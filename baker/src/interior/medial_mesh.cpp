@@ -26,19 +26,26 @@ std::vector<glm::dvec3> inUnits(const SurfaceMesh& mesh, const UnitFrame& frame)
     return unit;
 }
 
+struct SmoothSurface {
+    std::vector<glm::dvec3> points;
+    std::vector<glm::dvec3> normals;
+};
+
 /// Smoothing that moves points along the surface would only tell balls of other places: what counts
 /// is how far it moves them along their normals.
-std::vector<glm::dvec3> smoothedSurface(const SurfaceMesh& mesh, const UnitFrame& frame,
-                                        const MedialOptions& options) {
+SmoothSurface smoothedSurface(const SurfaceMesh& mesh, const std::vector<glm::dvec3>& feet,
+                              double diagonal, const MedialOptions& options) {
     SmoothingOptions smoothing;
     smoothing.iterations = options.preSmoothing;
-    smoothing.reach = options.smoothingReach * frame.diagonal;
-    std::vector<glm::dvec3> points = inUnits(mesh, frame);
-    const std::vector<glm::dvec3> moved = smoothed(points, mesh.triangles, smoothing);
-    const std::vector<glm::dvec3> normals = vertexNormals(moved, mesh.triangles);
-    for (size_t v = 0; v < points.size(); ++v)
-        points[v] += normals[v] * glm::dot(normals[v], moved[v] - points[v]);
-    return points;
+    smoothing.reach = options.smoothingReach * diagonal;
+    SmoothSurface result{smoothed(feet, mesh.triangles, smoothing), {}};
+    result.normals = vertexNormals(result.points, mesh.triangles);
+    for (size_t v = 0; v < feet.size(); ++v) {
+        const glm::dvec3& n = result.normals[v];
+        result.points[v] = feet[v] + n * glm::dot(n, result.points[v] - feet[v]);
+    }
+    result.normals = vertexNormals(result.points, mesh.triangles);
+    return result;
 }
 
 double radians(double degrees) {
@@ -55,8 +62,7 @@ MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
       triangles_(mesh.triangles, topology.opposite),
       tree_({}, {}, {}, 0) {
     const std::vector<glm::dvec3> feet = inUnits(mesh, frame_);
-    const std::vector<glm::dvec3> surface = smoothedSurface(mesh, frame_, options);
-    const std::vector<glm::dvec3> normals = vertexNormals(surface, mesh.triangles);
+    const auto [surface, normals] = smoothedSurface(mesh, feet, frame_.diagonal, options);
     feet_.assign(feet.begin(), feet.end());
     smoothed_.assign(surface.begin(), surface.end());
     origins_.resize(feet.size());
@@ -66,7 +72,7 @@ MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
         tangents_.push_back({smoothed_[v], glm::vec3(normals[v])});
     }
     const double angle = radians(options.separationAngle);
-    tree_ = BallTree(smoothed_, mesh.triangles, topology.opposite, angle);
+    tree_ = BallTree(smoothed_, mesh.triangles, topology.opposite, angle, options.threads);
     balls_ = vertexBalls(tree_, tangents_, rings(), static_cast<float>(frame_.diagonal / 2),
                          options.threads);
 }
@@ -105,10 +111,24 @@ MedialMesh::Middle MedialMesh::middleOf(uint32_t halfEdge) const {
     middle.foot = 0.5F * (feet_[a] + feet_[b]);
     middle.tangent = {glm::vec3(smooth), unitOrZero(normal)};
     if (glm::dot(middle.tangent.normal, middle.tangent.normal) > 0) {
-        middle.ball = tree_.largest(middle.tangent, static_cast<float>(frame_.diagonal / 2),
-                                    balls_[a].contact);
+        middle.ball = ballBetween(a, b, middle.tangent);
     }
     return middle;
+}
+
+/// Below the middle of an edge: as the balls at its ends tell, if there are enough of them and the
+/// result is in proportion; else everything is searched.
+BallTree::Ball MedialMesh::ballBetween(uint32_t a, uint32_t b,
+                                       const BallTree::Tangent& tangent) const {
+    constexpr float kProportion = 1.5F;
+    const auto most = static_cast<float>(frame_.diagonal / 2);
+    if (mesh_.positions.size() < kManyVertices)
+        return tree_.largest(tangent, most, balls_[a].contact);
+    const std::array<uint32_t, 2> contacts{balls_[a].contact, balls_[b].contact};
+    const BallTree::Ball learnt = tree_.beside(tangent, {most, BallTree::kNone}, contacts);
+    const float least = std::min(balls_[a].radius, balls_[b].radius);
+    if (learnt.contact != BallTree::kNone && learnt.radius <= kProportion * least) return learnt;
+    return tree_.largest(tangent, most, learnt.contact);
 }
 
 /// What refineEdges asks.

@@ -49,6 +49,7 @@ class MedialMesh {
         BallTree::Ball ball;
     };
     Middle middleOf(uint32_t halfEdge) const;
+    BallTree::Ball ballBetween(uint32_t a, uint32_t b, const BallTree::Tangent& tangent) const;
     double length2(uint32_t halfEdge) const;
     std::array<uint32_t, 2> endsOf(uint32_t halfEdge) const;
 

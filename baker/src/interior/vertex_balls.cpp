@@ -56,12 +56,11 @@ class VertexBalls {
           known_(tangents.size(), 0) {}
 
     std::vector<Ball> run() {
-        constexpr size_t kMany = 4096;  // vertices
-        constexpr size_t kStride = 8;   // one of so many searches
+        constexpr size_t kStride = 8;  // one of so many searches
         constexpr int kSweeps = 2;
         const std::vector<uint32_t> order = alongCurve(tangents_, rings_);
         std::vector<uint32_t> sample;
-        const size_t stride = order.size() < kMany ? 1 : kStride;
+        const size_t stride = order.size() < kManyVertices ? 1 : kStride;
         for (size_t i = 0; i < order.size(); i += stride) sample.push_back(order[i]);
         search(sample);
         if (stride == 1) return std::move(balls_);
@@ -70,9 +69,13 @@ class VertexBalls {
         for (const uint32_t v : order)
             if (known_[v] == 0) unreached.push_back(v);
         search(unreached);
+        std::vector<uint32_t> learners = order;
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
-            learn(order);
-            search(doubtful(order));
+            std::vector<uint32_t> changed = learn(learners);
+            const std::vector<uint32_t> doubted = doubtful(order);
+            search(doubted);
+            changed.insert(changed.end(), doubted.begin(), doubted.end());
+            learners = around(changed);
         }
         return std::move(balls_);
     }
@@ -127,8 +130,23 @@ class VertexBalls {
         }
     }
 
-    /// All of `vertices` at once from the balls that are known now.
-    void learn(const std::vector<uint32_t>& vertices) {
+    /// The neighbours of some vertices, each once.
+    std::vector<uint32_t> around(const std::vector<uint32_t>& vertices) const {
+        std::vector<uint8_t> taken(tangents_.size(), 0);
+        std::vector<uint32_t> result;
+        for (const uint32_t v : vertices) {
+            for (const uint32_t u : rings_.of(v)) {
+                if (taken[u] != 0 || known_[u] == kUnknown) continue;
+                taken[u] = 1;
+                result.push_back(u);
+            }
+        }
+        return result;
+    }
+
+    /// All of `vertices` at once from the balls that are known now. Returns those whose ball
+    /// changed.
+    std::vector<uint32_t> learn(const std::vector<uint32_t>& vertices) {
         learned_.resize(vertices.size());
         parallelRuns(vertices.size(), kChunk, threads_, [&](size_t first, size_t last) {
             std::vector<uint32_t> contacts;
@@ -143,7 +161,13 @@ class VertexBalls {
                 learned_[i] = tree_.beside(tangents_[v], balls_[v], contacts);
             }
         });
-        for (size_t i = 0; i < vertices.size(); ++i) balls_[vertices[i]] = learned_[i];
+        std::vector<uint32_t> changed;
+        for (size_t i = 0; i < vertices.size(); ++i) {
+            Ball& ball = balls_[vertices[i]];
+            if (ball.contact != learned_[i].contact) changed.push_back(vertices[i]);
+            ball = learned_[i];
+        }
+        return changed;
     }
 
     const BallTree& tree_;
