@@ -37,8 +37,10 @@ double slopeOf(const LinearFunction& f);
 struct CellFamily {
     std::vector<LinearFunction> functions;
     /// Where the functions are squared distances (less what all share, each less a weight that is
-    /// small): to what, in grid steps. Speeds up finding neighbours. Else empty.
+    /// small): to what, in grid steps, and what lengths along the axes count for. Speeds up finding
+    /// neighbours. Else empty.
     std::vector<glm::dvec3> sites;
+    glm::dvec3 metric{1.0};
     bool slabs = false;  ///< f_k = f_{k-1} - p_k: each plane can be moved alone
 };
 

@@ -22,7 +22,9 @@ double atPlace(const LinearFunction& f, const glm::dvec3& p) {
 CellSearch::CellSearch(const CellFunctions& functions, const CutBox& box)
     : functions_(functions), box_(box) {
     const auto& families = functions.families();
-    if (families.size() == 1 && !families[0].sites.empty()) shells_.emplace(families[0].sites);
+    if (families.size() != 1 || families[0].sites.empty()) return;
+    for (const glm::dvec3& s : families[0].sites) sites_.push_back(s * families[0].metric);
+    shells_.emplace(sites_);
 }
 
 const ConvexCell& CellSearch::cell(uint32_t i) {
@@ -71,12 +73,12 @@ bool CellSearch::cutBy(uint32_t i, uint32_t l) {
 /// A site cuts a corner off only if it is nearer to it than the cell's own: it is at most twice as
 /// far from that as the farthest corner is. Weights, small as they are, and slack add to it.
 void CellSearch::cutBySites(uint32_t i) {
-    const glm::dvec3& site = functions_.families()[0].sites[i];
+    const glm::dvec3& metric = functions_.families()[0].metric;
     double reach = 0;
     const auto measureReach = [&] {
         double farthest = 0;
         for (const uint32_t v : cell_.usedCorners()) {
-            const glm::dvec3 d = cell_.corners()[v].position - site;
+            const glm::dvec3 d = cell_.corners()[v].position * metric - sites_[i];
             farthest = std::max(farthest, glm::dot(d, d));
         }
         reach = cell_.empty() ? -1 : 2 * std::sqrt(farthest) * (1 + 1e-5) + 1;

@@ -31,6 +31,7 @@ class CellSearch {
 
     const CellFunctions& functions_;
     CutBox box_;
+    std::vector<glm::dvec3> sites_;  ///< as their family measures
     std::optional<SiteShells> shells_;
     ConvexCell cell_;
     glm::dvec3 low_{0.0}, high_{0.0};  ///< of the cell so far
