@@ -16,18 +16,11 @@
 #include <vector>
 
 #include "geometry/union_find.h"
+#include "volume/cap_border.h"
 #include "volume/cap_triangle.h"
 #include "volume/cut_vertex.h"
 
 namespace sherd {
-
-/// A directed edge of a cap's border, as the cap of the lower cell has it.
-struct CapEdge {
-    static constexpr uint32_t kNone = 0xFFFFFFFFU;
-    uint32_t from, to;  ///< vertices of the cut
-    int times;
-    uint32_t triangle;  ///< whose section it is; kNone: of an edge of the cells
-};
 
 struct CapReport {
     uint32_t crossed = 0;  ///< caps whose border crosses itself
