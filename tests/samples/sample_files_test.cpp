@@ -10,8 +10,11 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "sherd/baker/bake.h"
 #include "sherd/baker/import.h"
+#include "sherd/baker/recipe.h"
 
 using namespace sherd;
 
@@ -108,5 +111,31 @@ TEST_CASE("every sample's normals are of unit length and agree with its faces") 
             }
         }
         CHECK(against == 0);
+    }
+}
+
+TEST_CASE("the samples' walls break into full pieces, but for a fifth of their surface at most") {
+    for (const std::string name : {"vase", "wall"}) {
+        CAPTURE(name);
+        Result<Recipe> recipe = readRecipe(SHERD_DEMO "/" + name + ".recipe.json");
+        REQUIRE(recipe.has_value());
+        recipe->interior.type = InteriorType::solid;
+        std::vector<FracturePlan> levels;
+        for (const RecipeLevel& level : recipe->levels) {
+            Result<FractureMap> map = readFractureMap(level.map, {});
+            REQUIRE(map.has_value());
+            levels.emplace_back().drawings.push_back({std::move(*map), level.projection});
+        }
+        const FracturePlan plan = stackLevels(std::move(levels));
+        const Result<BakedObject> baked = bakeObject(loadSample(name), plan, *recipe, {});
+        if (!baked) FAIL(baked.error().message);
+        double share = 0;  // percent of the surface
+        for (const BakeFinding& finding : baked->report.findings) {
+            if (finding.code != "solid-fallback") continue;
+            share = std::stod(finding.message.substr(finding.message.find("they hold ") + 10));
+        }
+        MESSAGE(name << ": " << share << " % of the surface keep a sheet");
+        CHECK(share < 20);
+        CHECK(baked->report.levels.at(2).closed == baked->report.levels.at(2).fragments);
     }
 }
