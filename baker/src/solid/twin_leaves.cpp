@@ -69,7 +69,7 @@ class LevelTwins {
   public:
     LevelTwins(const Components& components, uint32_t level, const Views& views,
                const std::vector<double>& looked, std::span<const uint32_t> parent)
-        : components_(components), level_(level), parent_(parent) {
+        : parent_(parent) {
         seen_.resize(components.count[level - 1]);
         looked_.assign(seen_.size(), 0);
         for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) {
@@ -105,8 +105,6 @@ class LevelTwins {
         return best == a ? kNone : best;
     }
 
-    const Components& components_;
-    uint32_t level_;
     std::span<const uint32_t> parent_;  ///< per piece: the united one of the level before
     Views seen_;
     std::vector<double> looked_;
