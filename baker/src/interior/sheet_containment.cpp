@@ -18,17 +18,23 @@ class Container {
 
     Containment run() {
         constexpr int kHalvings = 10;
+        constexpr int kMostRounds = 1000;
         Containment result;
         if (object_.inside == nullptr) return result;
         std::vector<uint32_t> suspects;
         for (uint32_t f = 0; f < faces_.size(); ++f)
             if (hangsFromSheet(faces_[f])) suspects.push_back(f);
         std::vector<uint8_t> everMoved(sheet_.points.size(), 0);
-        for (int round = 0; round <= kHalvings; ++round) {
+        // Once on their feet, points stay: after the halvings, each round has fewer left to pull.
+        for (int round = 0; round < kMostRounds; ++round) {
             const std::vector<uint32_t> bad = protruding(suspects);
             if (bad.empty()) return result;
             std::vector<uint8_t> moved(sheet_.points.size(), 0);
-            for (const uint32_t f : bad) pull(f, round == kHalvings, moved);
+            for (const uint32_t f : bad) pull(f, round >= kHalvings, moved);
+            if (std::find(moved.begin(), moved.end(), 1) == moved.end()) {
+                result.protruding = static_cast<uint32_t>(bad.size());
+                return result;
+            }
             for (size_t v = 0; v < moved.size(); ++v) {
                 if (moved[v] == 0 || everMoved[v] != 0) continue;
                 everMoved[v] = 1;
@@ -87,7 +93,7 @@ class Container {
         for (const CornerRef ref : faces_[f].corners) {
             if (ref.hidden == 0 || ref.isHub()) continue;
             const uint32_t v = vertexOf(surface_, sheet_, ref);
-            if (moved[v] != 0) continue;
+            if (moved[v] != 0 || sheet_.points[v] == sheet_.feet[v]) continue;
             moved[v] = 1;
             const glm::dvec3 foot(sheet_.feet[v]);
             sheet_.points[v] =
