@@ -89,7 +89,8 @@ double MedialMesh::length2(uint32_t halfEdge) const {
 }
 
 MedialMesh::Middle MedialMesh::middleOf(uint32_t halfEdge) const {
-    const auto [a, b] = endsOf(halfEdge);
+    const std::array<uint32_t, 2> ends = endsOf(halfEdge);
+    const uint32_t a = ends[0], b = ends[1];
     Middle middle;
     glm::dvec3 smooth(0.0), normal(0.0);
     const auto addSide = [&](uint32_t h) {
