@@ -43,12 +43,8 @@ BentGrid figureGrid() {
 Mesh figureMesh() {
     Mesh mesh = meshShape(figureShape, figureGrid());
     unwrap(mesh, {});
-    for (Triangle& triangle : mesh.triangles) {
-        for (Corner& corner : triangle) {
-            corner.normal =
-                glm::normalize(gradient(figureShape, mesh.positions[corner.position], 0.0012));
-        }
-    }
+    // The shape's own gradient would turn by more than a right angle within some triangles.
+    computeNormals(mesh, 50);
     return mesh;
 }
 

@@ -36,6 +36,7 @@ constexpr std::string_view kUsage =
     "10\n"
     "                      (default 0.6)\n"
     "  --levels LIST       which levels, like 0,2 (default: all the object has)\n"
+    "  --rows levels       a row for each level and a column for each object instead\n"
     "  --turn DEGREES      where to look from: 0 is from +z, 90 from +x (default 30)\n"
     "  --elevation DEGREES how high to look from, -80 to 80 (default 14)\n"
     "  --size WxH          of one level's picture in pixels, 64 to 2048 (default 480x480)\n"
@@ -58,6 +59,7 @@ struct Arguments {
     std::filesystem::path out;
     std::vector<std::filesystem::path> models;
     std::vector<uint32_t> levels;  ///< empty: all
+    bool rowsAreLevels = false;
     float explode = 0.6F;
     CameraOptions camera;
     RendererOptions renderer{480, 480, 2048, 3};
@@ -117,6 +119,10 @@ Result<void> applyOption(const std::string& word, const std::string& value, Argu
         done = parseSize(value, out.renderer);
     } else if (word == "--levels") {
         done = parseLevels(value, out.levels);
+    } else if (word == "--rows") {
+        out.rowsAreLevels = value == "levels";
+        if (!out.rowsAreLevels && value != "objects")
+            return fail(ErrorCode::badArgument, "--rows are levels or objects", value);
     } else if (word == "--explode") {
         done = store(number(value, 0, 10), out.explode);
     } else if (word == "--turn") {
@@ -199,27 +205,50 @@ Result<void> drawObject(const std::shared_ptr<const Asset>& asset, const GltfDoc
     return {};
 }
 
+using PictureRows = std::vector<std::vector<Picture>>;
+
+PictureRows transposed(const PictureRows& rows) {
+    PictureRows out;
+    for (const std::vector<Picture>& row : rows) {
+        out.resize(std::max(out.size(), row.size()));
+        for (size_t i = 0; i < row.size(); ++i) out[i].push_back(row[i]);
+    }
+    return out;
+}
+
+/// Shorter rows are filled up with darkness.
+Picture arrange(const PictureRows& rows) {
+    size_t columns = 0;
+    for (const std::vector<Picture>& row : rows) columns = std::max(columns, row.size());
+    std::vector<Picture> pictures;
+    for (const std::vector<Picture>& row : rows) {
+        pictures.insert(pictures.end(), row.begin(), row.end());
+        const Picture& like = rows.front().front();
+        const Picture dark{like.width, like.height, std::vector<uint8_t>(like.pixels.size(), 24)};
+        pictures.insert(pictures.end(), columns - row.size(), dark);
+    }
+    return contactSheet(pictures, static_cast<uint32_t>(columns));
+}
+
 Result<void> run(const Arguments& arguments) {
     const auto context = OffscreenContext::create();
     if (!context) return tl::unexpected(context.error());
     const auto renderer = SceneRenderer::create(arguments.renderer);
     if (!renderer) return tl::unexpected(renderer.error());
-    std::vector<Picture> pictures;
-    size_t columns = 0;
+    PictureRows rows;
     for (const std::filesystem::path& path : arguments.models) {
         const Result<GltfDocument> document = loadGltfDocument(path);
         if (!document) return tl::unexpected(document.error());
         const auto assets = loadAssets(path);
         if (!assets) return tl::unexpected(assets.error());
         for (const std::shared_ptr<const Asset>& asset : *assets) {
-            const size_t before = pictures.size();
+            rows.emplace_back();
             const Result<void> drawn =
-                drawObject(asset, *document, arguments, **renderer, pictures);
+                drawObject(asset, *document, arguments, **renderer, rows.back());
             if (!drawn) return tl::unexpected(drawn.error());
-            columns = std::max(columns, pictures.size() - before);
         }
     }
-    const Picture sheet = contactSheet(pictures, static_cast<uint32_t>(columns));
+    const Picture sheet = arrange(arguments.rowsAreLevels ? transposed(rows) : rows);
     return arguments.out.extension() == ".png" ? writePng(arguments.out, sheet)
                                                : writeJpeg(arguments.out, sheet, arguments.quality);
 }
