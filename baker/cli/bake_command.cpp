@@ -32,6 +32,7 @@ struct BakeArguments {
     std::optional<unsigned> threads;
     bool thesis = false;
     bool allowOpen = false;
+    bool capHoles = false;
     bool measure = false;
     bool quiet = false;
 };
@@ -78,6 +79,7 @@ Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
     }
     recipe->interior.thesis = recipe->interior.thesis || arguments.thesis;
     recipe->allowOpen = recipe->allowOpen || arguments.allowOpen;
+    recipe->capHoles = recipe->capHoles || arguments.capHoles;
     if (arguments.measure) recipe->measure = true;
     if (!recipe->measure) recipe->measure = !arguments.report.empty();
     if (!arguments.interiorMaterial.empty()) recipe->interior.material = arguments.interiorMaterial;
@@ -302,6 +304,9 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
             "--density", arguments->density,
             "kg/m3 (default " + std::to_string(static_cast<int>(defaults.physics.density)) + ")")
         ->check(inRange(1e-6, 1e9));
+    command->add_flag("--cap-holes", arguments->capHoles,
+                      "Close the holes of an open mesh by hidden faces; the intact object stays as "
+                      "it is. At most 64 holes; with --allow-open those that cannot be stay open");
     command->add_flag(
         "--allow-open", arguments->allowOpen,
         "Bake open and non-manifold meshes too; their pieces get a rim along the border");

@@ -17,6 +17,7 @@
 #include "interior/piece_mending.h"
 #include "interior/shell.h"
 #include "measures/measures.h"
+#include "repair/cap_holes.h"
 #include "solid/line_carrying.h"
 #include "solid/solid_leaves.h"
 #include "surface/component_merging.h"
@@ -86,6 +87,11 @@ class Bake {
         }
         if (auto ok = judgeSize(mesh_, diagonal_); !ok) return ok;
         meshTopology_ = buildTopology(mesh_.positions, mesh_.triangles);
+        if (recipe_.capHoles && meshTopology_.boundaryEdges > 0) {
+            const std::vector<HoleCap> caps = capHoles(meshTopology_, mesh_);
+            if (auto ok = judgeCaps(mesh_, caps, recipe_.allowOpen, report()); !ok) return ok;
+            meshTopology_ = buildTopology(mesh_.positions, mesh_.triangles);
+        }
         if (auto ok = judgeTopology(mesh_, meshTopology_, recipe_.allowOpen, report()); !ok)
             return ok;
         open_ = meshTopology_.boundaryEdges > 0;
@@ -335,10 +341,14 @@ class Bake {
                         "mesh \"" + mesh_.name + "\"");
         }
         const StageTimer timer = stage("measures", 0.96);
+        if (!recipe_.measure.value_or(false)) {
+            measureSet(result_.set, nullptr, recipe_.threads, report());
+            return {};
+        }
         const InsideTest inside(mesh_.positions, mesh_.triangles);
         const InsideCells cells(inside, mesh_.positions, mesh_.triangles);
-        measureSet(result_.set, {mesh_.positions, mesh_.triangles, cells},
-                   recipe_.measure.value_or(false), recipe_.threads, report());
+        const OriginalSolid solid{mesh_.positions, mesh_.triangles, cells};
+        measureSet(result_.set, &solid, recipe_.threads, report());
         return {};
     }
 

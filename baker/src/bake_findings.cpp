@@ -17,6 +17,45 @@ std::string halfEdgePlace(const SurfaceMesh& mesh, uint32_t halfEdge) {
 
 }  // namespace
 
+Result<void> judgeCaps(const SurfaceMesh& mesh, const std::vector<HoleCap>& caps, bool allowOpen,
+                       BakedObjectReport& report) {
+    BakeFinding closed{"capped", "", "", 0};
+    BakeFinding left{"not-capped", "", "", 0};
+    double area = 0;
+    for (const HoleCap& cap : caps) {
+        const std::string size = text("%.4g m around", cap.length);
+        if (!cap.refusal.empty()) {
+            ++left.count;
+            left.places.push_back({cap.place, {}, size + ": " + cap.refusal});
+            continue;
+        }
+        ++closed.count;
+        area += cap.area;
+        closed.places.push_back({cap.place, {}, size + text(", %.4g m2", cap.area)});
+        report.caps.push_back({cap.place, cap.length, cap.area, cap.corners, cap.flat});
+    }
+    if (left.count > 0) {
+        left.where = "mesh \"" + mesh.name + "\", around " + at(*left.places[0].position);
+        left.message = "holes that cannot be capped, the first because " +
+                       left.places[0].note.substr(left.places[0].note.find(": ") + 2);
+        if (!allowOpen) {
+            return fail(ErrorCode::openMesh,
+                        counted(left.count, "hole") + " cannot be capped, the first because " +
+                            left.message.substr(left.message.find("because ") + 8) +
+                            "; close it in a modelling tool, or leave it open with --allow-open",
+                        left.where);
+        }
+        report.findings.push_back(std::move(left));
+    }
+    if (closed.count > 0) {
+        closed.message = "holes were closed by " + text("%.4g m2", area) +
+                         " of hidden faces, which the intact object does not show";
+        closed.where = "around " + at(*closed.places[0].position);
+        report.findings.push_back(std::move(closed));
+    }
+    return {};
+}
+
 Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology, bool allowOpen,
                            BakedObjectReport& report) {
     report.boundaryEdges = topology.boundaryEdges;
@@ -56,8 +95,9 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
         if (!allowOpen) {
             return fail(ErrorCode::openMesh,
                         "the surface is open: " + counted(topology.boundaryEdges, "edge") +
-                            " with a triangle on one side only; close the mesh, or bake it as it "
-                            "is with --allow-open (pieces then get a rim along the border)",
+                            " with a triangle on one side only; close the mesh, let --cap-holes "
+                            "close it, or bake it as it is with --allow-open (pieces then get a "
+                            "rim along the border)",
                         place);
         }
         report.findings.push_back({"open-mesh",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interior/piece_mending.h"
+#include "repair/cap_holes.h"
 #include "sherd/baker/report.h"
 #include "sherd/baker/surface_mesh.h"
 #include "sherd/formats/result.h"
@@ -10,6 +11,10 @@
 #include "surface/cut_surface.h"
 
 namespace sherd {
+
+/// Tells which holes were capped; refuses meshes of which one could not be, unless allowed.
+Result<void> judgeCaps(const SurfaceMesh& mesh, const std::vector<HoleCap>& caps, bool allowOpen,
+                       BakedObjectReport& report);
 
 /// Refuses open and non-manifold meshes unless allowed, and solids turned inside out.
 Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology, bool allowOpen,

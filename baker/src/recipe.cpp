@@ -306,6 +306,7 @@ Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
           [&](const Json& j, const std::string& p) {
               return readLevelColors(reader, j, p, recipe);
           }},
+         {"capHoles", reader.boolean(recipe.capHoles)},
          {"allowOpen", reader.boolean(recipe.allowOpen)},
          {"measure", reader.boolean(recipe.measure)}});
     if (!ok) return tl::unexpected(error);

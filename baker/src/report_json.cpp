@@ -68,6 +68,12 @@ std::string toJson(const BakeReport& report) {
         }
         for (const BakedFragmentReport& fragment : object.fragments)
             entry["fragments"].push_back(fragmentJson(fragment));
+        for (const BakedCap& cap : object.caps)
+            entry["caps"].push_back({{"place", {cap.place.x, cap.place.y, cap.place.z}},
+                                     {"length", cap.length},
+                                     {"area", cap.area},
+                                     {"corners", cap.corners},
+                                     {"flat", cap.flat}});
         for (const BakeFinding& finding : object.findings) {
             Json found{{"code", finding.code},
                        {"message", finding.message},

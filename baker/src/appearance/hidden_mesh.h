@@ -27,7 +27,8 @@ struct HiddenMesh {
     std::vector<Face> faces;
 };
 
-/// Vertices [0, split vertices) are the split surface's, the sheet's hidden points follow.
+/// Vertices [0, split vertices) are the split surface's, the sheet's hidden points follow. The
+/// caps of holes (SurfaceMesh::capTriangles) are hidden faces, too, the last.
 HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
                       const Components& components, const HiddenSheet& sheet,
                       std::span<const HiddenFace> faces);

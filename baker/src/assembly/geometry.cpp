@@ -37,7 +37,9 @@ class GeometryAssembler {
         for (uint32_t material = 0; material < in_.mesh.materials.size(); ++material) {
             begin(material, 0);
             for (const uint32_t t : outerOrder) {
-                if (in_.mesh.triangleMaterials[surface.triangles[t].source] != material) continue;
+                const uint32_t source = surface.triangles[t].source;
+                if (in_.mesh.triangleMaterials[source] != material || in_.mesh.isCap(source))
+                    continue;
                 const SplitTriangle& triangle = surface.triangles[t];
                 add(rank(t), {outer_.vertex(triangle, 0), outer_.vertex(triangle, 1),
                               outer_.vertex(triangle, 2)});

@@ -15,7 +15,8 @@ namespace {
 void fillCoverage(const LevelCoverage& coverage, BakedObjectReport& report) {
     for (size_t k = 0; k < report.levels.size(); ++k) {
         const LevelCoverage::Level& level = coverage.levels[k];
-        if (level.points == 0) continue;
+        // What is open has no inside to be counted: the object itself, where caps close its pieces.
+        if (level.points == 0 || (k == 0 && !report.fragments[0].closed)) continue;
         report.levels[k].coverageNone = static_cast<double>(level.none) / level.points;
         report.levels[k].coverageDouble = static_cast<double>(level.several) / level.points;
     }
@@ -94,13 +95,13 @@ void judge(BakedObjectReport& report) {
 
 }  // namespace
 
-void measureSet(const FractureSet& set, const OriginalSolid& solid, bool all, unsigned threads,
+void measureSet(const FractureSet& set, const OriginalSolid* solid, unsigned threads,
                 BakedObjectReport& report) {
     const ShownTriangles shown(set);
     const std::vector<FragmentArea> areas = fragmentAreas(shown);
     for (size_t f = 0; f < report.fragments.size(); ++f)
         report.fragments[f].hiddenShare = areas[f].whole > 0 ? areas[f].hidden / areas[f].whole : 0;
-    if (all) measureSlowly(shown, solid, threads, report);
+    if (solid != nullptr) measureSlowly(shown, *solid, threads, report);
     for (uint32_t level = 0; level < report.levels.size(); ++level)
         summarise(set, areas, level, report);
     judge(report);

@@ -27,7 +27,7 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
             "interior": {"type": "medial", "thesis": true, "material": "stone",
                          "materials": {"paint": "brick"}, "normals": "flat",
                          "creaseAngle": 30, "depthColor": true},
-            "measure": true, "allowOpen": true })",
+            "measure": true, "capHoles": true, "allowOpen": true })",
         "r.json");
     REQUIRE(recipe.has_value());
     CHECK(recipe->levels.size() == 2);
@@ -45,6 +45,7 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
           "_DEEP");
     CHECK(recipe->file == "r.json");
     CHECK(recipe->allowOpen);
+    CHECK(recipe->capHoles);
     CHECK(recipe->measure == true);
     CHECK_FALSE(parseRecipe("{}", "r.json")->measure.has_value());
 }

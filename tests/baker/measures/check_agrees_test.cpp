@@ -92,7 +92,9 @@ TEST_CASE("they agree on pieces that were broken on purpose") {
     report.diagonal = baked->report.diagonal;
     report.levels.resize(set.levels.size());
     report.fragments.resize(set.fragments.size());
-    measureSet(set, {mesh.positions, mesh.triangles, cells}, true, 2, report);
+    report.fragments[0].closed = true;
+    const OriginalSolid solid{mesh.positions, mesh.triangles, cells};
+    measureSet(set, &solid, 2, report);
     CHECK(report.levels.back().selfIntersections.value() > 0);
     CHECK(report.levels.back().protrusion.value() > 0.01);
     compare(set, report);

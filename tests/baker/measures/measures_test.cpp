@@ -83,8 +83,10 @@ BakedObjectReport measured(const FractureSet& set, bool all, unsigned threads = 
     report.diagonal = 1;
     report.levels.resize(set.levels.size());
     report.fragments.resize(set.fragments.size());
+    report.fragments[0].closed = true;
     const Solid solid(makeFracturedCube(threeLevels()));
-    measureSet(set, solid.view(), all, threads, report);
+    const OriginalSolid view = solid.view();
+    measureSet(set, all ? &view : nullptr, threads, report);
     return report;
 }
 

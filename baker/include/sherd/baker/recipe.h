@@ -111,6 +111,7 @@ struct Recipe {
     bool splitParts = false;            ///< every patch of a pattern's cell is a piece of its own
     BitmapOptions bitmap;
     std::vector<std::pair<std::string, uint32_t>> levelOfColor;  ///< see MapReadOptions
+    bool capHoles = false;   ///< close the holes of open meshes by hidden faces
     bool allowOpen = false;  ///< bake meshes with open or non-manifold edges; borders get a rim
     /// Whether the report also gets the measures that take time: coverage, protrusion,
     /// self-intersections, thickness. Empty: `sherd-bake` takes them if a report is written.

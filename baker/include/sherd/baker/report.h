@@ -59,6 +59,15 @@ struct BakedFragmentReport {
     std::optional<double> thinnest = {};
 };
 
+/// A hole of the mesh that was closed (--cap-holes).
+struct BakedCap {
+    glm::dvec3 place{0};   ///< mean of the hole's corners, object frame, metres
+    double length = 0;     ///< around the hole, metres
+    double area = 0;       ///< of the cap, square metres
+    uint32_t corners = 0;  ///< of the hole
+    bool flat = false;     ///< filled in a plane; else by the triangles of least area
+};
+
 struct StageTime {
     std::string name;
     double seconds = 0;
@@ -76,6 +85,7 @@ struct BakedObjectReport {
     uint32_t bonds = 0;
     std::vector<BakedLevelReport> levels;        ///< [0]: the intact object
     std::vector<BakedFragmentReport> fragments;  ///< of all levels
+    std::vector<BakedCap> caps;
     std::vector<BakeFinding> findings;
     std::vector<StageTime> stages;  ///< wall time; the medial surface runs beside the surface steps
 };

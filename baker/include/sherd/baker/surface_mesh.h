@@ -38,9 +38,11 @@ struct SurfaceMesh {
         restPose;  ///< rigid part of the node's global transform; scale is applied to positions
     std::vector<glm::vec3> positions;                ///< distinct (bit-equal ones welded), finite
     std::vector<std::array<uint32_t, 3>> triangles;  ///< into positions; degenerate ones are kept
-    std::vector<uint32_t> triangleMaterials;         ///< into materials
-    std::vector<int32_t> materials;                  ///< glTF material index, -1: default material
-    std::vector<TexturePlacement> placements;        ///< per material; empty: plain
+    uint32_t capTriangles = 0;  ///< so many of the last triangles close holes of the file's mesh:
+                                ///< they are hidden until the object breaks
+    std::vector<uint32_t> triangleMaterials;       ///< into materials
+    std::vector<int32_t> materials;                ///< glTF material index, -1: default material
+    std::vector<TexturePlacement> placements;      ///< per material; empty: plain
     std::vector<std::array<uint32_t, 3>> corners;  ///< per triangle: into the attributes' vertices
     std::vector<Attribute> attributes;  ///< NORMAL always present (flat if the file has none)
     std::string uvSemantic;             ///< the UV set lines are drawn in; "" if the mesh has none
@@ -50,6 +52,8 @@ struct SurfaceMesh {
     std::vector<int32_t> sameNodes;  ///< other glTF nodes that show the very same mesh, same scale
     std::vector<int32_t> joinedNodes;   ///< other glTF nodes whose meshes are part of this object
     std::vector<std::string> warnings;  ///< what the importer mended or dropped, a sentence each
+
+    bool isCap(uint32_t triangle) const { return triangle + capTriangles >= triangles.size(); }
 };
 
 /// A scene position in the frame of an object that rests so.
