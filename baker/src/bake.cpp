@@ -225,22 +225,10 @@ class Bake {
 
     /// How hidden faces look is worked out beside the proofs; assemble() waits for it.
     void beginLooks() {
-        // Textures of smaller tiles are grey, and their coordinates have no digits left.
-        const double least = 1e-6 * diagonal_;
-        double tile = recipe_.interior.uvMetresPerTile;
-        if (tile > 0 && tile < least) {
-            report().findings.push_back(
-                {"tile-size",
-                 "uvMetresPerTile is below a millionth of the object's size; a "
-                 "millionth was taken",
-                 "", 1});
-        }
-        tile = tile > 0 ? std::max(tile, least) : diagonal_ / 4;
-        looks_ = std::async(
-            recipe_.threads > 1 ? std::launch::async : std::launch::deferred, [this, tile] {
-                return hiddenLooks(
-                    hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces), mesh_,
-                    recipe_.interior, tile);
+        looks_ =
+            std::async(recipe_.threads > 1 ? std::launch::async : std::launch::deferred, [this] {
+                return hiddenLooks({mesh_, cut_.surface, components_, sheet_, pieces_.faces,
+                                    recipe_.interior, diagonal_});
             });
     }
 
@@ -298,6 +286,7 @@ class Bake {
         {
             const StageTimer timer = stage("geometry", 0.75);
             const HiddenLooks looks = looks_.get();
+            findings.insert(findings.end(), looks.findings.begin(), looks.findings.end());
             assembleGeometry({mesh_, cut_.surface, components_, hierarchy, looks, interiorSlots,
                               recipe_.interior},
                              set);

@@ -172,7 +172,8 @@ bool readNames(Reader& reader, const Json& json, const std::string& pointer,
     if (!json.is_object())
         return reader.wrong(pointer, "must be an object {\"outer material\": \"inner material\"}");
     for (const auto& [key, value] : json.items()) {
-        if (!value.is_string()) return reader.wrong(pointer + "/" + key, "must be a string");
+        if (!value.is_string())
+            return reader.wrong(std::string(pointer).append("/").append(key), "must be a string");
         names[key] = value.get<std::string>();
     }
     return true;
@@ -240,6 +241,15 @@ bool readInterior(Reader& reader, const Json& json, const std::string& pointer,
                         {"depthColor",
                          [&](const Json& j, const std::string& p) {
                              return readDepthColor(reader, j, p, interior.depthColor);
+                         }},
+                        {"roughness",
+                         [&](const Json& j, const std::string& p) {
+                             Roughness& r = interior.roughness;
+                             return reader.object(
+                                 j, p,
+                                 {{"amplitude", reader.number(r.amplitude, 0, 1e6)},
+                                  {"size", reader.number(r.size, 0, 1e6)},
+                                  {"seed", reader.integer(r.seed, 0, 1'000'000'000)}});
                          }},
                         {"creaseAngle", reader.number(interior.creaseAngle, 0, 180)},
                         {"uvMetresPerTile", reader.number(interior.uvMetresPerTile, 0, 1e9)}})) {

@@ -180,6 +180,21 @@ def textured_cube_glb():
     return document.glb()
 
 
+def detailed_cube_glb():
+    """With tangents, and a material for its inside that nothing outside uses."""
+    document = _Document()
+    document.add_texture()
+    document.json['materials'].append({'name': 'clay', 'pbrMetallicRoughness': {
+        'baseColorFactor': [0.6, 0.35, 0.25, 1.0]}})
+    mesh = cube_mesh()
+    primitive = document.add_mesh(mesh, 'cube')
+    across = {(0, 0, 1): (1, 0, 0), (1, 0, 0): (0, 0, -1), (0, 0, -1): (-1, 0, 0),
+              (-1, 0, 0): (0, 0, 1), (0, 1, 0): (1, 0, 0), (0, -1, 0): (1, 0, 0)}
+    primitive['attributes']['TANGENT'] = document.accessor(
+        [across[n] + (1,) for n in mesh.normals], 'VEC4')
+    return document.glb()
+
+
 def two_cubes_glb():
     """Two objects; the second's name is no file name as it stands."""
     document = _Document()
@@ -291,6 +306,13 @@ def two_level_svg():
     layer = '<g xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" ' \
             'inkscape:groupmode="layer" inkscape:label="level %d">%s</g>'
     return svg(layer % (1, LEVEL_LINE) + layer % (2, DISC))
+
+
+def looks_recipe():
+    """Everything that changes how hidden faces look; the maps are the command line's."""
+    return json.dumps({'interior': {
+        'materials': {'painted': 'clay'}, 'uvMetresPerTile': 0.1, 'creaseAngle': 45,
+        'depthColor': 'COLOR_1', 'roughness': {'amplitude': 0.01, 'size': 0.1, 'seed': 3}}}).encode()
 
 
 def separates_nothing_svg():

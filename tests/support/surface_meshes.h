@@ -130,4 +130,13 @@ inline SurfaceMesh torus(int around, int along, double big = 1, double small = 0
     return maker.mesh();
 }
 
+/// With tangents of its own, whatever they mean.
+inline SurfaceMesh withTangents(SurfaceMesh mesh) {
+    const size_t vertices = mesh.attributes[0].values.size() / mesh.attributes[0].components;
+    std::vector<float> tangents;
+    for (size_t i = 0; i < vertices; ++i) tangents.insert(tangents.end(), {1, 0, 0, 1});
+    mesh.attributes.push_back({"TANGENT", 4, std::move(tangents)});
+    return mesh;
+}
+
 }  // namespace sherd::test

@@ -7,6 +7,7 @@
 
 #include "appearance/depths.h"
 #include "appearance/hidden_edges.h"
+#include "appearance/roughness.h"
 #include "appearance/shading_fans.h"
 #include "appearance/texture_charts.h"
 
@@ -36,13 +37,17 @@ std::vector<float> depthShares(const std::vector<double>& depths) {
 
 class LookMaker {
   public:
-    LookMaker(HiddenMesh mesh, const InteriorSettings& settings, double metresPerTile) {
+    /// `rough`: null, or how the mesh is moved. Facets and charts are those of the smooth mesh.
+    LookMaker(HiddenMesh mesh, const RoughShape* rough, const InteriorSettings& settings,
+              double metresPerTile)
+        : rough_(rough) {
         looks_.mesh = std::move(mesh);
         const HiddenMesh& m = looks_.mesh;
         const FaceShapes shapes = faceShapes(m);
         const std::vector<uint32_t> opposite = hiddenOpposites(m);
         charts_ = textureCharts(m, opposite, shapes, metresPerTile);
         fans_ = shadingFans(m, opposite, shapes, settings);
+        if (rough != nullptr) looks_.mesh.positions = rough->positions;
     }
 
     HiddenLooks run() {
@@ -63,8 +68,9 @@ class LookMaker {
         const ChartFrame& frame = charts_.frames[chart];
         const uint32_t position = looks_.mesh.faces[corner / 3].v[corner % 3];
         const bool hasNormal = fans_.normals[fan] != glm::dvec3(0.0);
-        looks_.vertices.push_back({position, hasNormal ? fans_.normals[fan] : frame.normal,
-                                   frame.uv(looks_.mesh.positions[position])});
+        glm::dvec3 normal = hasNormal ? fans_.normals[fan] : frame.normal;
+        if (rough_ != nullptr) normal = glm::normalize(rough_->normalMaps[position] * normal);
+        looks_.vertices.push_back({position, normal, frame.uv(looks_.mesh.positions[position])});
         links_.push_back({chart, firstOfFan_[fan]});
         return firstOfFan_[fan] = static_cast<uint32_t>(links_.size() - 1);
     }
@@ -105,6 +111,7 @@ class LookMaker {
         uint32_t chart;
         uint32_t next;  ///< another vertex of the same fan, or kNone
     };
+    const RoughShape* rough_;
     HiddenLooks looks_;
     TextureCharts charts_;
     ShadingFans fans_;
@@ -112,15 +119,49 @@ class LookMaker {
     std::vector<uint32_t> firstOfFan_;  ///< its latest vertex
 };
 
+/// Sizes of textures and bumps that are chosen for the user, or bounded.
+double tileSize(const LooksInput& input, std::vector<BakeFinding>& findings) {
+    const double asked = input.settings.uvMetresPerTile;
+    // Textures of smaller tiles are grey, and their coordinates have no digits left.
+    const double least = 1e-6 * input.diagonal;
+    if (!(asked > 0)) return input.diagonal / 4;
+    if (asked < least) {
+        findings.push_back({"tile-size",
+                            "uvMetresPerTile is below a millionth of the object's size; a "
+                            "millionth was taken",
+                            "", 1});
+    }
+    return std::max(asked, least);
+}
+
+Roughness roughnessOf(const LooksInput& input) {
+    Roughness roughness = input.settings.roughness;
+    roughness.size =
+        roughness.size > 0 ? std::max(roughness.size, 1e-6 * input.diagonal) : input.diagonal / 20;
+    return roughness;
+}
+
 }  // namespace
 
-HiddenLooks hiddenLooks(HiddenMesh mesh, const SurfaceMesh& object,
-                        const InteriorSettings& settings, double metresPerTile) {
-    HiddenLooks looks = LookMaker(std::move(mesh), settings, metresPerTile).run();
-    if (!settings.depthColor.empty()) {
-        looks.depths =
-            depthShares(hiddenDepths(looks.mesh, TriangleBvh(object.positions, object.triangles)));
+HiddenLooks hiddenLooks(const LooksInput& input) {
+    const InteriorSettings& settings = input.settings;
+    std::vector<BakeFinding> findings;
+    HiddenMesh mesh =
+        hiddenMesh(input.object, input.surface, input.components, input.sheet, input.faces);
+    const double tile = tileSize(input, findings);
+    RoughShape rough;
+    if (settings.roughness.amplitude > 0) {
+        rough = roughen(input.object, input.surface, input.components, roughnessOf(input), mesh);
+        findings.insert(findings.end(), rough.findings.begin(), rough.findings.end());
     }
+    HiddenLooks looks =
+        LookMaker(std::move(mesh), rough.positions.empty() ? nullptr : &rough, settings, tile)
+            .run();
+    if (!settings.depthColor.empty()) {
+        looks.depths = depthShares(
+            hiddenDepths(looks.mesh, TriangleBvh(input.object.positions, input.object.triangles)));
+    }
+    looks.findings = std::move(findings);
     return looks;
 }
 

@@ -7,6 +7,7 @@
 
 #include "appearance/hidden_mesh.h"
 #include "sherd/baker/recipe.h"
+#include "sherd/baker/report.h"
 
 namespace sherd {
 
@@ -22,10 +23,19 @@ struct HiddenLooks {
     std::vector<uint32_t> ofCorner;  ///< per corner 3 * face + k
     std::vector<float> depths;  ///< per position of the mesh: the share of the deepest one; empty
                                 ///< if nobody asks
+    std::vector<BakeFinding> findings;
 };
 
-/// `object` is the mesh before cutting, metresPerTile the size of a texture tile.
-HiddenLooks hiddenLooks(HiddenMesh mesh, const SurfaceMesh& object,
-                        const InteriorSettings& settings, double metresPerTile);
+struct LooksInput {
+    const SurfaceMesh& object;  ///< before cutting
+    const SplitSurface& surface;
+    const Components& components;
+    const HiddenSheet& sheet;
+    std::span<const HiddenFace> faces;
+    const InteriorSettings& settings;
+    double diagonal;  ///< of the object, metres
+};
+
+HiddenLooks hiddenLooks(const LooksInput& input);
 
 }  // namespace sherd

@@ -11,7 +11,7 @@ namespace sherd {
 namespace {
 
 /// Faces at a smaller angle are one facet: a wall's two triangles differ by rounding.
-constexpr double kFacetDegrees = 1;
+constexpr double kFacetDegrees = 0.2;
 
 }  // namespace
 

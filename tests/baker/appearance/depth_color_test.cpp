@@ -14,7 +14,7 @@ using namespace sherd::test;
 
 namespace {
 
-FractureSet bakedCube(const std::string& semantic, SurfaceMesh mesh = chartedCube(1, 6)) {
+FractureSet bakedCube(const std::string& semantic, const SurfaceMesh& mesh = chartedCube(1, 6)) {
     Recipe recipe;
     recipe.interior.depthColor = semantic;
     return writtenSet(modelAround(mesh), patterns({"voronoi:6:3", "voronoi:20:4"}), recipe);

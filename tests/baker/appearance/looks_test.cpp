@@ -15,14 +15,6 @@ using namespace sherd::test;
 
 namespace {
 
-SurfaceMesh withTangents(SurfaceMesh mesh) {
-    const size_t vertices = mesh.attributes[0].values.size() / mesh.attributes[0].components;
-    std::vector<float> tangents;
-    for (size_t i = 0; i < vertices; ++i) tangents.insert(tangents.end(), {1, 0, 0, 1});
-    mesh.attributes.push_back({"TANGENT", 4, std::move(tangents)});
-    return mesh;
-}
-
 /// A long box whose sides are no squares, and pieces cut at all angles.
 SurfaceMesh plank() {
     SurfaceMesh mesh = chartedCube(1, 5);

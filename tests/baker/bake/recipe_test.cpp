@@ -26,7 +26,8 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
             "physics": {"density": 2400, "hullVertices": 24},
             "interior": {"type": "medial", "thesis": true, "material": "stone",
                          "materials": {"paint": "brick"}, "normals": "flat",
-                         "creaseAngle": 30, "depthColor": true},
+                         "creaseAngle": 30, "depthColor": true,
+                         "roughness": {"amplitude": 0.002, "size": 0.05, "seed": 4}},
             "measure": true, "capHoles": true, "allowOpen": true })",
         "r.json");
     REQUIRE(recipe.has_value());
@@ -40,6 +41,9 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
     CHECK(recipe->interior.normals == InteriorNormals::flat);
     CHECK(recipe->interior.creaseAngle == 30);
     CHECK(recipe->interior.depthColor == "COLOR_0");
+    CHECK(recipe->interior.roughness.amplitude == 0.002);
+    CHECK(recipe->interior.roughness.size == 0.05);
+    CHECK(recipe->interior.roughness.seed == 4);
     CHECK(parseRecipe(R"({"interior": {"depthColor": false}})", "")->interior.depthColor.empty());
     CHECK(parseRecipe(R"({"interior": {"depthColor": "_DEEP"}})", "")->interior.depthColor ==
           "_DEEP");
@@ -70,6 +74,11 @@ TEST_CASE("a bad recipe is refused with the pointer of the culprit and what woul
          {"3", R"("COLOR_10")", R"("COLOR_x")", R"("DEPTH")", R"("_")", R"("_a b")"})
         CHECK(errorOf(R"({"interior": {"depthColor": )" + std::string(bad) + "}}").where ==
               "r.json#/interior/depthColor");
+    CHECK(errorOf(R"({"interior": {"roughness": {"depth": 1}}})").where ==
+          "r.json#/interior/roughness/depth");
+    CHECK(errorOf(R"({"interior": {"roughness": {"amplitude": -1}}})").where ==
+          "r.json#/interior/roughness/amplitude");
+    CHECK(errorOf(R"({"interior": {"roughness": 1}})").where == "r.json#/interior/roughness");
     CHECK(errorOf(R"({"interior": {"materials": []}})").where == "r.json#/interior/materials");
 }
 

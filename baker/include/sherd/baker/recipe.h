@@ -40,6 +40,13 @@ struct ShellSettings {
     std::shared_ptr<const GreyImage> picture = {};  ///< what `texture` names; see readGreyImage
 };
 
+/// Bumps on broken faces, by a seeded random field of the place that all pieces share.
+struct Roughness {
+    double amplitude = 0;  ///< metres that a point moves at most; 0: smooth
+    double size = 0;       ///< metres from one bump to the next; 0: a twentieth of the diagonal
+    uint32_t seed = 1;
+};
+
 /// How pieces look inside.
 struct InteriorSettings {
     InteriorType type = InteriorType::medial;  ///< open surfaces get a shell in any case
@@ -63,6 +70,7 @@ struct InteriorSettings {
     /// object's deepest: "COLOR_n" (grey; white on the surface itself) or "_NAME" (a number; 0
     /// there). Empty: none.
     std::string depthColor;
+    Roughness roughness;
 };
 
 struct PhysicsSettings {
