@@ -161,7 +161,7 @@ bool readLevelColors(Reader& reader, const Json& json, const std::string& pointe
     if (!json.is_object()) return reader.wrong(pointer, "must be an object {\"#ff0000\": 2}");
     for (const auto& [color, level] : json.items()) {
         if (!level.is_number_unsigned() || level < 1 || level > 64)
-            return reader.wrong(pointer + "/" + color, "must be a level from 1 to 64");
+            return reader.wrong((pointer + "/").append(color), "must be a level from 1 to 64");
         recipe.levelOfColor.emplace_back(color, level.get<uint32_t>());
     }
     return true;
