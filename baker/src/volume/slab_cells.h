@@ -25,7 +25,7 @@ struct CutPlane {
 Result<CellFamily> slabCells(std::span<const CutPlane> planes, const CutGrid& grid);
 
 /// Every plane a family of its own: all cells of the planes' arrangement. Planes in the same place
-/// count once. At most 16.
+/// count once. At most 16, of which 8 may meet in one point: limitExceeded.
 Result<std::vector<CellFamily>> planeCells(std::span<const CutPlane> planes, const CutGrid& grid);
 
 struct SliceOptions {

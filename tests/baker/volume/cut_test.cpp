@@ -2,6 +2,7 @@
 // Cuts whose outcome is known, the awkward ones first.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -185,6 +186,7 @@ TEST_CASE("one site leaves the mesh whole and equal sites count once") {
 
 TEST_CASE("sites on a lattice, where eight cells meet in a point, make a lattice of pieces") {
     std::vector<glm::dvec3> sites;
+    sites.reserve(27);
     for (int n = 0; n < 27; ++n) sites.emplace_back(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
     const CutSolid cut = voronoiOf(boxSolid(glm::vec3(-1.5F), glm::vec3(1.5F), 3), sites);
     CHECK(cut.pieces.pieces.size() == 27);
@@ -222,6 +224,31 @@ TEST_CASE("slices with jitter that makes planes cross stay a partition") {
 TEST_CASE("the same plane twice is one") {
     const std::vector<CutPlane> planes{{{0, 0, 0}, {1, 2, 3}}, {{0, 0, 0}, {-2, -4, -6}}};
     CHECK(planeCells(planes, gridOf(cube())).value().size() == 1);
+}
+
+TEST_CASE("planes that meet in one point or line cut around it, up to eight of them") {
+    const Solid solid = cube(2);
+    for (const bool line : {false, true}) {
+        std::vector<CutPlane> planes;
+        for (int k = 0; k < 12; ++k) {
+            const double angle = 0.25 * k;
+            planes.push_back({{0, 0, 0}, {std::cos(angle), std::sin(angle), line ? 0.0 : 0.5}});
+        }
+        CHECK(planeCells(planes, gridOf(solid)).error().code == ErrorCode::limitExceeded);
+        planes.resize(8);
+        CutSolid cut;
+        std::string wrong;
+        REQUIRE(cutSolid(solid, planeCells(planes, gridOf(solid)).value(), cut, wrong));
+        Random random(1);
+        CHECK(whatBreaks(cut, random, 200) == "");
+        // Around a line 2 n; around a point n (n - 1) + 2.
+        CHECK(cut.pieces.pieces.size() == (line ? 16 : 58));
+        planes.resize(12, {{0, 0, 0}, {1, 2, 3}});
+        for (size_t k = 8; k < planes.size(); ++k)
+            planes[k].point = {0.1 * static_cast<double>(k), 0, 0};
+        // Where such a plane crosses the line of eight there are nine.
+        CHECK(planeCells(planes, gridOf(solid)).has_value() != line);
+    }
 }
 
 TEST_CASE("cells of one group are one piece") {

@@ -8,6 +8,7 @@
 
 #include "cut_checks.h"
 #include "geometry/bounds.h"
+#include "geometry/closed_mesh.h"
 #include "volume/slab_cells.h"
 #include "volume/voronoi_cells.h"
 
@@ -139,6 +140,32 @@ TEST_CASE("a mesh of another size, by a power of two, is cut into the same piece
             REQUIRE(cut.cut.positions.size() == cuts[0].cut.positions.size());
             for (size_t v = 0; v < cut.cut.positions.size(); ++v)
                 REQUIRE(cut.cut.positions[v] == cuts[0].cut.positions[v] * scale);
+        }
+    }
+}
+
+TEST_CASE("a mesh a thousand times as large or small gives as many pieces of the same volumes") {
+    for (const uint32_t seed : propertySeeds(3'000'000, 300)) {
+        CAPTURE(seed);
+        std::vector<double> volumes;
+        for (const float scale : {1.0F, 1e-3F, 1e3F}) {
+            Random random(seed);
+            Solid solid = randomSolid(random);
+            const Bounds box = boundsOf(solid.positions, solid.triangles);
+            std::vector<glm::dvec3> sites(1 + random.below(12));
+            for (glm::dvec3& s : sites) s = double{scale} * randomSite(random, box, false);
+            solid.transform([scale](const glm::vec3& p) { return p * scale; });
+            CutSolid cut;
+            std::string wrong;
+            REQUIRE(cutSolid(solid, {voronoiCells(sites, gridOf(solid)).value()}, cut, wrong));
+            REQUIRE(brokenClosed(cut) == "");
+            const double whole = signedVolume(solid.positions, solid.triangles, glm::dvec3(0));
+            std::vector<double> shares;
+            for (const PieceMesh& piece : cut.pieces.pieces) shares.push_back(piece.volume / whole);
+            if (volumes.empty()) volumes = shares;
+            REQUIRE(shares.size() == volumes.size());
+            for (size_t p = 0; p < shares.size(); ++p)
+                REQUIRE(std::abs(shares[p] - volumes[p]) <= 1e-6);
         }
     }
 }
