@@ -317,7 +317,7 @@ class Bake {
     Result<void> judgeFragments() {
         {
             const StageTimer timer = stage("proving positions", 0.95);
-            reportFragments(result_.set, report());
+            reportFragments(result_.set, closedBy_ == InteriorType::shell, report());
         }
         for (uint32_t level = 1; level <= components_.levels; ++level) {
             const BakedLevelReport& entry = report().levels[level];

@@ -151,7 +151,23 @@ Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal) {
                 "mesh \"" + mesh.name + "\"");
 }
 
-void reportFragments(const FractureSet& set, BakedObjectReport& report) {
+namespace {
+
+void judgeVolume(bool shells, BakedObjectReport& report) {
+    const double share = report.levels[1].volumeShare;
+    const bool hollow = !shells && share < 0.9;
+    if (report.boundaryEdges > 0 || (!hollow && share <= 1.001)) return;
+    report.findings.push_back(
+        {"volume",
+         "the pieces of level 1 hold " + text("%.4g %%", 100 * share) +
+             " of the object's volume: its walls are too thin or its parts too close for the "
+             "medial surface found; refine the mesh, or give it another \"interior\"",
+         "", 1});
+}
+
+}  // namespace
+
+void reportFragments(const FractureSet& set, bool shells, BakedObjectReport& report) {
     for (uint32_t f = 0; f < set.fragments.size(); ++f) {
         BakedFragmentReport entry;
         entry.name = set.fragments[f].name;
@@ -171,15 +187,7 @@ void reportFragments(const FractureSet& set, BakedObjectReport& report) {
         }
         entry.volumeShare = report.volume > 0 ? volume / report.volume : 0;
     }
-    const double share = report.levels[1].volumeShare;
-    if (report.boundaryEdges == 0 && (share < 0.9 || share > 1.001)) {
-        report.findings.push_back(
-            {"volume",
-             "the pieces of level 1 hold " + text("%.4g %%", 100 * share) +
-                 " of the object's volume: its walls are too thin or its parts too close for the "
-                 "medial surface found; refine the mesh, or give it another \"interior\"",
-             "", 1});
-    }
+    judgeVolume(shells, report);
 }
 
 }  // namespace sherd

@@ -46,7 +46,7 @@ void reportCarried(const CarriedLines& carried, BakedObjectReport& report);
 void reportSolid(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,
                  const SolidLeaves& solid, BakedObjectReport& report);
 
-/// Counts, closed ones proven over positions, and volume shares.
-void reportFragments(const FractureSet& set, BakedObjectReport& report);
+/// Counts, closed ones proven over positions, and volume shares. Shells are meant to be hollow.
+void reportFragments(const FractureSet& set, bool shells, BakedObjectReport& report);
 
 }  // namespace sherd

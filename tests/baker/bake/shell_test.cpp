@@ -2,8 +2,10 @@
 // Shells: as thick as asked, never past the middle, and what open surfaces get.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "bake_findings.h"
 #include "sherd/baker/bake.h"
 #include "support/models.h"
 #include "support/pattern_plans.h"
@@ -71,6 +73,26 @@ TEST_CASE("a shell thicker than the solid ends at the medial surface") {
     const BakedObject whole = baked(chartedCube(1, 3), medial);
     const BakedObject shell = baked(chartedCube(1, 3), shellOf(100));
     CHECK(volumeOf(shell) == doctest::Approx(volumeOf(whole)).epsilon(1e-9));
+}
+
+TEST_CASE("a hollow shell is no finding, hollow medial pieces and overfull shells are") {
+    const auto speaks = [](const BakedObjectReport& report) {
+        return std::any_of(report.findings.begin(), report.findings.end(),
+                           [](const BakeFinding& f) { return f.code == "volume"; });
+    };
+    const BakedObject shell = baked(chartedCube(1, 1), shellOf(0.05));
+    CHECK(shell.report.levels[1].volumeShare < 0.5);
+    CHECK_FALSE(speaks(shell.report));
+    const auto judged = [&](double objectVolume, bool shells) {
+        BakedObjectReport report;
+        report.volume = objectVolume;
+        report.levels.resize(2);
+        reportFragments(shell.set, shells, report);
+        return speaks(report);
+    };
+    CHECK(judged(1, false));
+    CHECK_FALSE(judged(1, true));
+    CHECK(judged(0.9 * volumeOf(shell), true));
 }
 
 TEST_CASE("an attribute scales a shell's thickness, and one that is not there is an error") {
