@@ -223,8 +223,8 @@ Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& prog
     if (!chooseLines(*recipe, *model)) {
         return fail(ErrorCode::badArgument,
                     "there is nothing to cut along: draw lines and name them with --map, take a "
-                    "--pattern (voronoi:12), model lines on the object, or give a recipe with "
-                    "levels");
+                    "--pattern (voronoi:12), model lines on the object, --cut through its volume "
+                    "(voronoi:12), or give a recipe with levels");
     }
     const Result<FracturePlan> plan = readPlan(*recipe);
     if (!plan) return tl::unexpected(plan.error());
@@ -321,6 +321,7 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         "  sherd-bake bake vase.glb -o vase_baked.glb --map coarse.svg --map fine.svg\n"
         "  sherd-bake bake vase.glb -o vase_baked.glb --pattern voronoi:12 --pattern "
         "voronoi:50:7\n"
+        "  sherd-bake bake stone.glb -o stone_baked.glb --cut voronoi:8 --cut voronoi:6\n"
         "  sherd-bake bake plank.glb -o plank_baked.glb --map cracks.png --projection planar:z\n"
         "  sherd-bake bake town.glb --node Wall -o town_baked.glb --recipe wall.json --report "
         "report.json");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "level_arguments.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -120,6 +121,13 @@ void addLevelOptions(CLI::App& command, const std::string& drawingOption,
                         "options below; takes its place among " +
                             drawingOption + " as it stands")
             ->allow_extra_args(false);
+    arguments.cut =
+        command
+            .add_option("--cut", arguments.cuts,
+                        "A level that cuts every piece of the one before through its volume: "
+                        "voronoi:N[:SEED], grid:N, slices:NxMxK or wood:N, with options below; "
+                        "behind all levels of lines")
+            ->allow_extra_args(false);
     command.add_option("--recipe", arguments.recipe,
                        "Levels and settings as JSON; its levels win over " + drawingOption +
                            ", other options win over it");
@@ -130,13 +138,18 @@ void addLevelOptions(CLI::App& command, const std::string& drawingOption,
 Result<void> orderLevels(const CLI::App& command, LevelArguments& arguments) {
     size_t maps = 0;
     size_t patterns = 0;
+    size_t cuts = 0;
     for (const CLI::Option* option : command.parse_order()) {
         if (option == arguments.drawing) {
-            arguments.levels.push_back({arguments.maps[maps++], "", {}, std::nullopt});
+            arguments.levels.emplace_back().map = arguments.maps[maps++];
         } else if (option == arguments.pattern) {
             Result<Pattern> parsed = parsePattern(arguments.patterns[patterns++]);
             if (!parsed) return tl::unexpected(parsed.error());
-            arguments.levels.push_back({{}, "", {}, std::move(*parsed)});
+            arguments.levels.emplace_back().pattern = std::move(*parsed);
+        } else if (option == arguments.cut) {
+            Result<VolumeCut> parsed = parseVolumeCut(arguments.cuts[cuts++]);
+            if (!parsed) return tl::unexpected(parsed.error());
+            arguments.levels.emplace_back().cut = std::move(*parsed);
         }
     }
     return {};
@@ -153,8 +166,8 @@ Result<Recipe> recipeOf(const LevelArguments& arguments) {
         recipe.levels = arguments.levels;
     } else if (!arguments.levels.empty()) {
         std::fprintf(stderr,
-                     "sherd-bake: the recipe names its own levels; those of %s and --pattern "
-                     "are left out\n",
+                     "sherd-bake: the recipe names its own levels; those of %s, --pattern "
+                     "and --cut are left out\n",
                      arguments.drawingOption.c_str());
     }
     if (const Result<void> read = readTexts(arguments, recipe); !read)
@@ -178,6 +191,14 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
     std::vector<FracturePlan> levels;
     for (const RecipeLevel& level : recipe.levels) {
         FracturePlan& plan = levels.emplace_back();
+        if (level.cut) {
+            plan.cuts.push_back(*level.cut);
+            continue;
+        }
+        if (std::any_of(levels.begin(), levels.end(),
+                        [](const FracturePlan& before) { return !before.cuts.empty(); }))
+            return fail(ErrorCode::badArgument,
+                        "levels of lines must come before levels that cut through the volume");
         if (level.pattern) {
             FracturePlan::Grown& grown = plan.patterns.emplace_back();
             grown.pattern = *level.pattern;

@@ -18,10 +18,11 @@ struct LevelArguments {
     std::string drawingOption;  ///< its name on the command line, "--map"
     const CLI::Option* drawing = nullptr;
     const CLI::Option* pattern = nullptr;
+    const CLI::Option* cut = nullptr;
 
     std::filesystem::path recipe;
-    std::vector<std::string> maps, patterns;
-    std::vector<RecipeLevel> levels;  ///< maps and patterns in the order they were named
+    std::vector<std::string> maps, patterns, cuts;
+    std::vector<RecipeLevel> levels;  ///< maps, patterns and cuts in the order they were named
     std::string projection = "uv";
     std::string wrap;
     std::vector<std::string> levelColors;
@@ -44,7 +45,7 @@ CLI::Validator inRange(double low, double high);
 void addLevelOptions(CLI::App& command, const std::string& drawingOption,
                      const std::string& drawingHelp, LevelArguments& arguments);
 
-/// Levels in the order in which drawings and patterns stand on the command line.
+/// Levels in the order in which drawings, patterns and cuts stand on the command line.
 Result<void> orderLevels(const CLI::App& command, LevelArguments& arguments);
 
 /// The recipe that was named, or the default one, with what the command line says of levels and

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pipeline: mesh + map -> split surface -> components -> closed fragments -> fracture set.
+// The pipeline: mesh + map -> split surface -> components -> closed fragments, cut further through
+// their volume -> fracture set.
 #include "sherd/baker/bake.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@
 #include "interior/medial.h"
 #include "interior/piece_mending.h"
 #include "interior/shell.h"
+#include "levels/bring_inside.h"
+#include "levels/volume_level.h"
 #include "measures/measures.h"
 #include "repair/cap_holes.h"
 #include "solid/line_carrying.h"
@@ -41,18 +44,17 @@ class Bake {
         if (auto ok = inspect(); !ok) return tl::unexpected(ok.error());
         // The medial surface depends on the mesh only, so it is computed beside the cutting; for
         // solid pieces only if one of them turns out to need it.
-        const bool beside = recipe_.threads > 1 && closedBy_ != InteriorType::solid;
+        const bool beside = recipe_.threads > 1 && closedBy_ != InteriorType::solid && hasLines();
         medial_ = std::async(beside ? std::launch::async : std::launch::deferred,
                              [this] { return findMedial(); });
         const Result<void> cutDone = cut();
         if (beside) medial_.wait();
         if (!cutDone) return tl::unexpected(cutDone.error());
         if (auto ok = stitchPieces(); !ok) return tl::unexpected(ok.error());
-        if (auto ok = judgeMerged(components_, cut_, pieces_, report()); !ok) {
-            return tl::unexpected(ok.error());
-        }
-        beginLooks();
+        hidden_ = hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces);
+        if (plan_.cuts.empty()) beginLooks();
         if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());
+        if (auto ok = cutVolumes(); !ok) return tl::unexpected(ok.error());
         assemble();
         if (auto ok = judgeFragments(); !ok) return tl::unexpected(ok.error());
         return std::move(result_);
@@ -145,6 +147,7 @@ class Bake {
         }
 #endif
         cut_ = std::move(*done);
+        if (cut_.lines.size() == 0 && !plan_.cuts.empty()) return beginWhole();
         if (closedBy_ == InteriorType::solid) {
             const Result<CarriedLines> carried =
                 carryLines(mesh_, cutOptionsOf(recipe_, diagonal_), cut_);
@@ -162,14 +165,28 @@ class Bake {
         return judgeSeparation(components_, cut_, report());
     }
 
+    bool hasLines() const {
+        return !plan_.drawings.empty() || !plan_.patterns.empty() || !mesh_.lines.empty();
+    }
+
+    /// Without lines the object is the one piece there is to cut.
+    Result<void> beginWhole() {
+        components_.leaf.assign(cut_.surface.triangles.size(), 0);
+        components_.leafCount = components_.parts = 1;
+        report().levels.resize(1);
+        report().levels[0].components = report().parts = 1;
+        return {};
+    }
+
     /// Thesis steps 6 and 7: hidden points, and every component closed by its sheet and walls.
     Result<void> stitchPieces() {
+        if (components_.levels == 0) return {};
         const StageTimer timer = stage("stitching", 0.6);
         const std::vector<MergedLeaf> small = mergeSmallLeaves(
             cut_.surface, cut_.topology, recipe_.minimumComponentShare, components_);
         if (auto ok = closePieces(); !ok) return ok;
         reportPieces(mesh_, small, pieces_, report());
-        return {};
+        return judgeMerged(components_, cut_, pieces_, report());
     }
 
     /// Merging pieces without volume changes what can be solid: then all over again.
@@ -223,12 +240,37 @@ class Bake {
         snapToFeet(1e-6 * diagonal_, sheet_);
     }
 
+    /// Levels behind those of lines.
+    Result<void> cutVolumes() {
+        if (plan_.cuts.empty()) return {};
+        const StageTimer timer = stage("cutting volumes", 0.72);
+        const bool drawn = components_.levels > 0;
+        for (const VolumeCut& cut : plan_.cuts) {
+            const PieceModel model{mesh_, cut_.surface, components_, hidden_};
+            if (auto ok = cutLevel(cut, recipe_.threads, model, report()); !ok) return ok;
+        }
+        const uint32_t outside =
+            drawn && !open_ ? bringInside(mesh_, 1e-6 * diagonal_, hidden_) : 0;
+        if (outside > 0) {
+            report().findings.push_back(
+                {"brought-inside",
+                 "points where cuts meet walls that reach out of the object "
+                 "were moved to its surface",
+                 "", outside});
+        }
+        cut_.topology = buildTopology(cut_.surface.positions, vertexTriangles(cut_.surface));
+        report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
+        beginLooks();
+        return {};
+    }
+
     /// How hidden faces look is worked out beside the proofs; assemble() waits for it.
     void beginLooks() {
+        addHoleCaps(mesh_, cut_.surface, components_, hidden_);
         looks_ =
             std::async(recipe_.threads > 1 ? std::launch::async : std::launch::deferred, [this] {
-                return hiddenLooks({mesh_, cut_.surface, components_, sheet_, pieces_.faces,
-                                    recipe_.interior, diagonal_});
+                return hiddenLooks({mesh_, cut_.surface, components_, recipe_.interior, diagonal_},
+                                   std::move(hidden_));
             });
     }
 
@@ -359,6 +401,7 @@ class Bake {
     bool carried_ = false;  ///< lines onto the far side of walls
     SolidLeaves solid_;     ///< none unless the interior is solid
     MendedPieces pieces_;
+    HiddenMesh hidden_;  ///< until looks are made of it
     std::future<HiddenLooks> looks_;
     BakedObject result_;
 };

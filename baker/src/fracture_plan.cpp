@@ -24,6 +24,7 @@ FracturePlan stackLevels(std::vector<FracturePlan> levels) {
                   std::back_inserter(all.drawings));
         std::move(levels[k].patterns.begin(), levels[k].patterns.end(),
                   std::back_inserter(all.patterns));
+        std::move(levels[k].cuts.begin(), levels[k].cuts.end(), std::back_inserter(all.cuts));
     }
     return all;
 }

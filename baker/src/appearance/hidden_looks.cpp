@@ -143,11 +143,9 @@ Roughness roughnessOf(const LooksInput& input) {
 
 }  // namespace
 
-HiddenLooks hiddenLooks(const LooksInput& input) {
+HiddenLooks hiddenLooks(const LooksInput& input, HiddenMesh mesh) {
     const InteriorSettings& settings = input.settings;
     std::vector<BakeFinding> findings;
-    HiddenMesh mesh =
-        hiddenMesh(input.object, input.surface, input.components, input.sheet, input.faces);
     const double tile = tileSize(input, findings);
     RoughShape rough;
     if (settings.roughness.amplitude > 0) {

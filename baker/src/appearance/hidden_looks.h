@@ -30,12 +30,10 @@ struct LooksInput {
     const SurfaceMesh& object;  ///< before cutting
     const SplitSurface& surface;
     const Components& components;
-    const HiddenSheet& sheet;
-    std::span<const HiddenFace> faces;
     const InteriorSettings& settings;
     double diagonal;  ///< of the object, metres
 };
 
-HiddenLooks hiddenLooks(const LooksInput& input);
+HiddenLooks hiddenLooks(const LooksInput& input, HiddenMesh mesh);
 
 }  // namespace sherd

@@ -31,15 +31,18 @@ HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
         out.wall = face.wall;
         result.faces.push_back(out);
     }
-    // Caps of holes belong to the surface that is cut, but nobody is to see them before it breaks.
+    return result;
+}
+
+void addHoleCaps(const SurfaceMesh& mesh, const SplitSurface& surface, const Components& components,
+                 HiddenMesh& hidden) {
     for (uint32_t t = 0; t < surface.triangles.size() && mesh.capTriangles > 0; ++t) {
         const SplitTriangle& triangle = surface.triangles[t];
         if (!mesh.isCap(triangle.source)) continue;
         const uint32_t leaf = components.leaf[t];
-        result.faces.push_back({triangle.v, leaf, 1, components.at(1, leaf),
+        hidden.faces.push_back({triangle.v, leaf, 1, components.at(1, leaf),
                                 mesh.triangleMaterials[triangle.source], true});
     }
-    return result;
 }
 
 FaceShapes faceShapes(const HiddenMesh& mesh) {

@@ -27,11 +27,15 @@ struct HiddenMesh {
     std::vector<Face> faces;
 };
 
-/// Vertices [0, split vertices) are the split surface's, the sheet's hidden points follow. The
-/// caps of holes (SurfaceMesh::capTriangles) are hidden faces, too, the last.
+/// Vertices [0, split vertices) are the split surface's, the sheet's hidden points follow.
 HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
                       const Components& components, const HiddenSheet& sheet,
                       std::span<const HiddenFace> faces);
+
+/// The caps of holes (SurfaceMesh::capTriangles) belong to the surface that is cut, but nobody is
+/// to see them before it breaks: they become hidden faces, too, the last.
+void addHoleCaps(const SurfaceMesh& mesh, const SplitSurface& surface, const Components& components,
+                 HiddenMesh& hidden);
 
 /// The shapes of its faces.
 struct FaceShapes {

@@ -1,46 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Patterns and projections as they are written on a command line or in a recipe.
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "sherd/baker/pattern.h"
+#include "text_fields.h"
 
 namespace sherd {
 namespace {
 
 constexpr uint32_t kMostLines = 1'000;
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (size_t at = 0;;) {
-        const size_t end = text.find(separator, at);
-        parts.push_back(text.substr(at, end - at));
-        if (end == std::string_view::npos) return parts;
-        at = end + 1;
-    }
-}
-
-template <class Number>
-bool readNumber(std::string_view text, Number& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size();
-}
-
-bool readVector(std::string_view text, glm::dvec3& vector) {
-    const std::vector<std::string_view> parts = split(text, ',');
-    if (parts.size() != 3) return false;
-    for (int k = 0; k < 3; ++k) {
-        if (!readNumber(parts[static_cast<size_t>(k)], vector[k]) || !std::isfinite(vector[k]))
-            return false;
-    }
-    return true;
-}
-
-std::string quoted(std::string_view text) {
-    return std::string("\"").append(text).append("\"");
-}
 
 /// Reads one pattern's text part by part; the first mistake ends it.
 class PatternReader {

@@ -8,10 +8,12 @@
 #include "sherd/baker/fracture_map.h"
 #include "sherd/baker/pattern.h"
 #include "sherd/baker/projection.h"
+#include "sherd/baker/volume_cut.h"
 
 namespace sherd {
 
-/// All fracture lines of a bake, whatever their sources, each with the level from which it cuts.
+/// All fracture lines of a bake, whatever their sources, each with the level from which it cuts,
+/// and what cuts their pieces further.
 struct FracturePlan {
     struct Drawing {
         FractureMap map;
@@ -24,6 +26,7 @@ struct FracturePlan {
     };
     std::vector<Drawing> drawings;
     std::vector<Grown> patterns;
+    std::vector<VolumeCut> cuts;  ///< a level each, behind those of all lines
 };
 
 /// Several plans as one. With more than one, the lines of the k-th cut from level k, whatever their

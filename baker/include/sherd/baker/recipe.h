@@ -14,6 +14,7 @@
 #include "sherd/baker/fracture_map.h"
 #include "sherd/baker/pattern.h"
 #include "sherd/baker/projection.h"
+#include "sherd/baker/volume_cut.h"
 #include "sherd/formats/result.h"
 
 namespace sherd {
@@ -92,12 +93,13 @@ enum class PageWrap : uint8_t {
     clamp
 };
 
-/// Where the lines of one level come from: a drawing or a pattern.
+/// Where one level comes from: lines (a drawing or a pattern), or a cut through the volume.
 struct RecipeLevel {
     std::filesystem::path map;  ///< SVG, JSON, PNG or JPEG, relative to the recipe
     std::string name;           ///< may be empty
     Projection projection;      ///< how the drawing lies on the object
     std::optional<Pattern> pattern;
+    std::optional<VolumeCut> cut;
 };
 
 /// Everything a bake can be told. Defaults are the command line's.

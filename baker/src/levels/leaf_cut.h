@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// One leaf, taken out of the object and cut.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "levels/piece_model.h"
+#include "sherd/baker/volume_cut.h"
+#include "volume/mesh_cut.h"
+#include "volume/piece_mesh.h"
+
+namespace sherd {
+
+/// A leaf as a mesh of its own; vertices in one place are one.
+struct LeafMesh {
+    std::vector<uint32_t> vertices;  ///< of the model: the first in each place, ascending
+    std::vector<glm::vec3> positions;
+    std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<uint32_t> sources;  ///< per triangle: of the split surface; behind its last one the
+                                    ///< hidden faces
+};
+
+/// Of every leaf the numbers of its faces, as LeafMesh::sources has them, ascending.
+std::vector<std::vector<uint32_t>> facesOfLeaves(const PieceModel& model);
+
+/// places: per vertex of the model the first one in its place.
+LeafMesh leafMesh(const PieceModel& model, const std::vector<uint32_t>& places,
+                  const std::vector<uint32_t>& faces);
+
+struct LeafCut {
+    LeafMesh mesh;
+    MeshCut cut;
+    CutPieces pieces;
+    std::optional<Error> refusal;  ///< it stays whole; pieces are empty
+
+    bool divided() const { return pieces.pieces.size() > 1; }
+};
+
+/// grid: of the whole object, so that leaves are snapped alike.
+LeafCut cutLeaf(LeafMesh mesh, const VolumeCut& cut, uint64_t seed, const CutGrid& grid);
+
+}  // namespace sherd

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "sherd/baker/volume_cut.h"
+#include "volume/cell_family.h"
+#include "volume/cut_grid.h"
+
+namespace sherd {
+
+/// The cells that a cut makes of one piece, a closed mesh. `around` of the cut is in the mesh's
+/// frame here. The same seed gives the same cells. Errors: badArgument, limitExceeded.
+Result<CellFunctions> pieceCells(const VolumeCut& cut, uint64_t seed,
+                                 std::span<const glm::vec3> positions,
+                                 std::span<const std::array<uint32_t, 3>> triangles,
+                                 const CutGrid& grid);
+
+}  // namespace sherd

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Leaves that were cut one by one, put together again as the leaves of a new level.
+#pragma once
+
+#include <vector>
+
+#include "levels/leaf_cut.h"
+#include "levels/piece_model.h"
+
+namespace sherd {
+
+/// cuts: per leaf; those that are not divided stay as they are. Every piece becomes a leaf and a
+/// component of a new, deepest level, which shows the caps. Where a leaf is cut, the edges it
+/// shares with others are split in those, too.
+void joinPieces(const std::vector<LeafCut>& cuts, const PieceModel& model);
+
+}  // namespace sherd

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Volume cuts as they are written on a command line or in a recipe.
+#include <functional>
+#include <map>
+#include <sstream>
+
+#include "sherd/baker/volume_cut.h"
+#include "text_fields.h"
+
+namespace sherd {
+namespace {
+
+constexpr uint32_t kMostCells = 10'000;
+constexpr uint32_t kMostSlabs = 1'000;
+
+/// Reads one cut's text part by part; the first mistake ends it.
+class CutReader {
+  public:
+    explicit CutReader(std::string_view text) : text_(text), parts_(split(text, ':')) {}
+
+    Result<VolumeCut> read() {
+        cut_.text = text_;
+        if (!readKind() || !readCounts()) return tl::unexpected(error_);
+        size_t next = 2;
+        if (next < parts_.size() && parts_[next].find('=') == std::string_view::npos) {
+            if (!readNumber(parts_[next], cut_.seed)) {
+                stop(quoted(parts_[next]) + " is not a seed, a whole number from 0 to 4294967295");
+                return tl::unexpected(error_);
+            }
+            ++next;
+        }
+        for (; next < parts_.size(); ++next)
+            if (!readOption(parts_[next])) return tl::unexpected(error_);
+        return cut_;
+    }
+
+  private:
+    bool stop(const std::string& what) {
+        error_ = {ErrorCode::badArgument, what, "cut " + quoted(text_)};
+        return false;
+    }
+
+    bool readKind() {
+        using Kind = VolumeCut::Kind;
+        static const std::map<std::string_view, Kind> kinds = {{"voronoi", Kind::voronoi},
+                                                               {"grid", Kind::grid},
+                                                               {"slices", Kind::slices},
+                                                               {"wood", Kind::wood}};
+        const auto it = kinds.find(parts_[0]);
+        if (it == kinds.end())
+            return stop("there is no cut " + quoted(parts_[0]) +
+                        "; known are voronoi:N, grid:N, slices:NxMxK and wood:N");
+        cut_.kind = it->second;
+        if (cut_.kind == Kind::slices) cut_.jitter = 0;
+        return true;
+    }
+
+    bool readCounts() {
+        const std::string_view text = parts_.size() > 1 ? parts_[1] : std::string_view();
+        if (cut_.kind != VolumeCut::Kind::slices) {
+            if (readNumber(text, cut_.count) && cut_.count >= 1 && cut_.count <= kMostCells)
+                return true;
+            return stop(quoted(text) + " is not a number of cells from 1 to " +
+                        std::to_string(kMostCells));
+        }
+        const std::vector<std::string_view> sides = split(text, 'x');
+        bool fine = sides.size() == 3;
+        uint64_t cells = 1;
+        for (size_t k = 0; k < 3 && fine; ++k) {
+            fine = readNumber(sides[k], cut_.slabs[k]) && cut_.slabs[k] >= 1 &&
+                   cut_.slabs[k] <= kMostSlabs;
+            cells *= cut_.slabs[k];
+        }
+        if (!fine)
+            return stop(quoted(text) + " is not NxMxK, slabs along x, y and z, each from 1 to " +
+                        std::to_string(kMostSlabs));
+        if (cells <= kMostCells) return true;
+        return stop(quoted(text) + " makes more than " + std::to_string(kMostCells) + " cells");
+    }
+
+    bool readOption(std::string_view part) {
+        const size_t equals = part.find('=');
+        const std::string_view key = part.substr(0, equals);
+        const std::string_view value =
+            equals == std::string_view::npos ? std::string_view() : part.substr(equals + 1);
+        using Kind = VolumeCut::Kind;
+        const auto share = [&](double low, double high, double& target) {
+            return [this, key, value, low, high, &target] {
+                return readShare(key, value, low, high, target);
+            };
+        };
+        std::map<std::string_view, std::function<bool()>> known;
+        switch (cut_.kind) {
+            case Kind::voronoi:
+                known["around"] = [&] { return readPlaces(value); };
+                known["spread"] = share(1e-6, 10, cut_.spread);
+                known["stretch"] = [&] { return readStretch(value); };
+                break;
+            case Kind::grid:
+                known["jitter"] = share(0, 1, cut_.jitter);
+                known["stretch"] = [&] { return readStretch(value); };
+                break;
+            case Kind::slices:
+                known["jitter"] = share(0, 1, cut_.jitter);
+                known["tilt"] = share(0, 1, cut_.tilt);
+                break;
+            case Kind::wood:
+                known["axis"] = [&] { return readAxis(value); };
+                known["elongation"] = share(1, 64, cut_.elongation);
+                break;
+        }
+        if (const auto it = known.find(key); it != known.end()) return it->second();
+        std::string names;
+        for (const auto& [name, read] : known) {
+            if (!names.empty()) names += ", ";
+            names += name;
+        }
+        return stop(quoted(key) + " is not known here; known are " + names);
+    }
+
+    bool readShare(std::string_view key, std::string_view value, double low, double high,
+                   double& number) {
+        if (readNumber(value, number) && number >= low && number <= high) return true;
+        std::ostringstream what;
+        what << key << '=' << value << " is not a number from " << low << " to " << high;
+        return stop(what.str());
+    }
+    bool readPlaces(std::string_view value) {
+        for (const std::string_view place : split(value, ';')) {
+            glm::dvec3 point;
+            if (!readVector(place, point))
+                return stop("around=" + std::string(value) + " is not X,Y,Z[;X,Y,Z]...");
+            cut_.around.push_back(point);
+        }
+        return true;
+    }
+    bool readStretch(std::string_view value) {
+        const bool fine = readVector(value, cut_.stretch) && inRange(cut_.stretch.x) &&
+                          inRange(cut_.stretch.y) && inRange(cut_.stretch.z);
+        return fine || stop("stretch=" + std::string(value) + " is not X,Y,Z, each from 1 to 64");
+    }
+    static bool inRange(double x) { return x >= 1 && x <= 64; }
+    bool readAxis(std::string_view value) {
+        if (value.size() != 1 || value[0] < 'x' || value[0] > 'z')
+            return stop("axis=" + std::string(value) + " is not x, y or z");
+        cut_.axis = static_cast<uint32_t>(value[0] - 'x');
+        return true;
+    }
+
+    std::string_view text_;
+    std::vector<std::string_view> parts_;
+    VolumeCut cut_;
+    Error error_;
+};
+
+}  // namespace
+
+Result<VolumeCut> parseVolumeCut(std::string_view text) {
+    return CutReader(text).read();
+}
+
+}  // namespace sherd

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// A level that cuts the pieces of the level before through their volume.
+#pragma once
+
+#include "levels/piece_model.h"
+#include "sherd/baker/report.h"
+#include "sherd/baker/volume_cut.h"
+#include "sherd/formats/result.h"
+
+namespace sherd {
+
+/// Divides the model's leaves and adds a level for what they became; leaves that cannot be divided
+/// stand for themselves, with a finding. The result does not depend on the number of threads.
+/// Errors: separatesNothing, limitExceeded, notClosed, and why the first piece cannot be cut if
+/// none can.
+Result<void> cutLevel(const VolumeCut& cut, unsigned threads, const PieceModel& model,
+                      BakedObjectReport& report);
+
+}  // namespace sherd
