@@ -196,7 +196,7 @@ class Bake {
         std::vector<MergedLeaf> merged;
         do {
             if (closedBy_ == InteriorType::solid)
-                solid_ = findSolidLeaves(cut_, carried_, components_);
+                solid_ = findSolidLeaves(cut_, carried_, sheet_.points.empty(), components_);
             if (!solid_.containsAll() && medial_.valid()) {
                 if (auto ok = takeMedial(); !ok) return ok;
             }

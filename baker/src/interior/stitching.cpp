@@ -111,6 +111,35 @@ UnionFind fansOf(std::span<const uint32_t> opposite, const BodyOf& bodyOf) {
     return fan;
 }
 
+/// One id for each fan around those vertices from `first` on that are odd; new ones follow
+/// `last`. Triangles meet over edges that are used once in each direction.
+void separateHubs(uint32_t first, uint32_t last, std::span<std::array<uint32_t, 3>> triangles) {
+    const auto isHub = [first](uint32_t id) { return id >= first && id % 2 == 1; };
+    std::map<std::pair<uint32_t, uint32_t>, std::vector<uint32_t>> edges;  // directed: half edges
+    for (uint32_t h = 0; h < 3 * triangles.size(); ++h) {
+        const uint32_t a = triangles[h / 3][h % 3], b = triangles[h / 3][(h % 3 + 1) % 3];
+        if (isHub(a) || isHub(b)) edges[{a, b}].push_back(h);
+    }
+    UnionFind fans(3 * triangles.size());
+    for (const auto& [ends, uses] : edges) {
+        const auto back = edges.find({ends.second, ends.first});
+        if (uses.size() != 1 || back == edges.end() || back->second.size() != 1) continue;
+        fans.unite(uses[0], nextCorner(back->second[0]));
+        fans.unite(nextCorner(uses[0]), back->second[0]);
+    }
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> idOfFan;
+    std::map<uint32_t, uint32_t> taken;  // the first fan keeps the id
+    for (uint32_t c = 0; c < 3 * triangles.size(); ++c) {
+        uint32_t& id = triangles[c / 3][c % 3];
+        if (!isHub(id)) continue;
+        const uint32_t fan = fans.find(c);
+        if (taken.try_emplace(id, fan).first->second == fan) continue;
+        const auto [it, isNew] = idOfFan.try_emplace({id, fan}, last + 2);
+        if (isNew) last += 2;
+        id = it->second;
+    }
+}
+
 }  // namespace
 
 std::vector<std::array<uint32_t, 3>> levelTopology(const SplitSurface& surface,
@@ -148,6 +177,10 @@ std::vector<std::array<uint32_t, 3>> levelTopology(const SplitSurface& surface,
         if (face.exposedFrom > level) continue;
         triangles.push_back({idOf(face.corners[0], face.leaf), idOf(face.corners[1], face.leaf),
                              idOf(face.corners[2], face.leaf)});
+    }
+    if (!hubs.empty()) {
+        const auto count = static_cast<uint32_t>(hubs.size());
+        separateHubs(2 * firstHub + 1, 2 * (firstHub + count) - 1, triangles);
     }
     return triangles;
 }

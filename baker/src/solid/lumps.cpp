@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
+#include <numeric>
 
 #include "geometry/compact_labels.h"
 #include "geometry/triangle.h"
@@ -73,8 +74,8 @@ class LumpSplitter {
         return next;
     }
     uint32_t elementOf(const OutlineVertex& v, const SolidWall& wall, bool low) const {
-        if (v.hub != kNone) return hubs_.at({v.hub, low ? wall.low : wall.high});
-        return (low ? v.lowCorner : v.highCorner) / 3;
+        const uint32_t corner = v.cornerIn(low);
+        return corner != kNone ? corner / 3 : hubs_.at({v.hub, low ? wall.low : wall.high});
     }
 
     const SplitSurface& surface_;
@@ -117,13 +118,22 @@ std::vector<uint8_t> findStrays(const SplitSurface& surface, const PartGroups& g
     return stray;
 }
 
+Lumps wholePieces(const Components& pieces) {
+    Lumps lumps;
+    lumps.ofTriangle = pieces.leaf;
+    lumps.pieceOf.resize(pieces.leafCount);
+    std::iota(lumps.pieceOf.begin(), lumps.pieceOf.end(), 0U);
+    lumps.target = lumps.pieceOf;
+    return lumps;
+}
+
 }  // namespace
 
 Lumps splitLumps(const SplitSurface& surface, const MeshTopology& topology,
                  const Components& pieces, const PartGroups& groups, bool judged,
                  SolidWalls& walls) {
+    if (!judged) return wholePieces(pieces);
     Lumps lumps = LumpSplitter(surface, topology, pieces, walls).run();
-    if (!judged) return lumps;
     std::vector<uint8_t> stray = findStrays(surface, groups, walls, lumps);
     const auto parentOf = [&](uint32_t lump) {
         return pieces.at(pieces.levels - 1, lumps.pieceOf[lump]);

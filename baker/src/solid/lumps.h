@@ -18,9 +18,9 @@ struct Lumps {
     uint32_t strays = 0;
 };
 
-/// Names lumps instead of pieces in the walls. Of the lumps of one solid piece within one connected
-/// part of the mesh all but the largest are strays, if `judged` says so of pieces at all; they go
-/// to solid neighbours that have the same parent.
+/// Names lumps instead of pieces in the walls; unless they are to be `judged`, every piece is one
+/// lump. Of the lumps of one solid piece within one connected part of the mesh all but the largest
+/// are strays; they go to solid neighbours that have the same parent.
 Lumps splitLumps(const SplitSurface& surface, const MeshTopology& topology,
                  const Components& pieces, const PartGroups& groups, bool judged,
                  SolidWalls& walls);

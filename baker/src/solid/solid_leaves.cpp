@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+#include <optional>
 
 #include "geometry/closed_mesh.h"
+#include "solid/filled_walls.h"
 #include "solid/lumps.h"
 #include "solid/solid_walls.h"
 #include "solid/twin_leaves.h"
@@ -15,8 +16,9 @@ namespace sherd {
 namespace {
 
 CornerRef refOf(const OutlineVertex& v, bool low) {
-    if (v.hub != kNone) return {CornerRef::kFirstHub + v.hub, 1};
-    return {low ? v.lowCorner : v.highCorner, 0};
+    const uint32_t corner = v.cornerIn(low);
+    if (corner == kNone) return {CornerRef::kFirstHub + v.hub, 1};
+    return {corner, 0};
 }
 
 std::array<CornerRef, 3> cornersOf(const std::array<OutlineVertex, 3>& triangle, bool low) {
@@ -95,35 +97,97 @@ double areaOf(const SolidWalls& walls, std::span<const double> areas) {
     return sum;
 }
 
-/// The walls that close more of the surface.
-SolidWalls betterWalls(const CutSurface& cut, const Components& pieces) {
+bool closesAll(const SolidWalls& walls) {
+    return std::find(walls.solid.begin(), walls.solid.end(), 0) == walls.solid.end();
+}
+
+/// Walls that lead straight from line to line, of several kinds those that close more.
+class StraightWalls {
+  public:
+    StraightWalls(const CutSurface& cut, const Components& pieces)
+        : cut_(cut),
+          pieces_(pieces),
+          areas_(leafAreas(cut.surface, pieces)),
+          space_(CellSpace::of(cut, pieces)),
+          best_(build(space_ ? &*space_ : nullptr, HubChoice::near)) {
+        if (space_ && !closesAll(best_)) offer(build(nullptr, HubChoice::near));
+    }
+
+    /// What is tried last.
+    void tryCentres() {
+        if (!closesAll(best_)) offer(build(nullptr, HubChoice::centre));
+    }
+    const SolidWalls& best() const { return best_; }
+    SolidWalls take() { return std::move(best_); }
+
+  private:
+    SolidWalls build(const CellSpace* known, HubChoice choice) const {
+        return solidWalls(cut_.surface, cut_.topology, pieces_.leaf, pieces_.leafCount, known,
+                          choice);
+    }
+    void offer(SolidWalls other) {
+        if (areaOf(other, areas_) > areaOf(best_, areas_)) best_ = std::move(other);
+    }
+
+    const CutSurface& cut_;
+    const Components& pieces_;
+    std::vector<double> areas_;
+    std::optional<CellSpace> space_;
+    SolidWalls best_;
+};
+
+/// What is known per triangle, for the triangles of a surface that is divided further.
+template <class Value>
+void divide(const DividedSurface& divided, std::vector<Value>& values) {
+    std::vector<Value> parts;
+    parts.reserve(divided.parent.size());
+    for (const uint32_t parent : divided.parent) parts.push_back(values[parent]);
+    values = std::move(parts);
+}
+
+/// Walls through a solid of any shape, if they close more than `walls` do; the surface is divided
+/// further for them.
+std::optional<SolidWalls> fillInside(const SolidWalls& walls, CutSurface& cut,
+                                     Components& components, Components& pieces) {
+    std::optional<FilledWalls> filled = filledWalls(cut.surface, pieces);
     const std::vector<double> areas = leafAreas(cut.surface, pieces);
-    const std::optional<CellSpace> space = CellSpace::of(cut, pieces);
-    const auto build = [&](const CellSpace* known, HubChoice choice) {
-        return solidWalls(cut.surface, cut.topology, pieces.leaf, pieces.leafCount, known, choice);
+    if (!filled || !(areaOf(filled->walls, areas) > areaOf(walls, areas))) return std::nullopt;
+    const DividedSurface& divided = filled->divided;
+    MeshTopology topology =
+        buildTopology(divided.surface.positions, vertexTriangles(divided.surface));
+    const auto flaws = [](const MeshTopology& t) {
+        return t.boundaryEdges + t.nonManifoldEdges + t.pinchedEdges;
     };
-    SolidWalls best = build(space ? &*space : nullptr, HubChoice::near);
-    const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
-    const auto isWhole = [&] { return areaOf(best, areas) > (1 - 1e-12) * whole; };
-    const auto offer = [&](SolidWalls other) {
-        if (areaOf(other, areas) > areaOf(best, areas)) best = std::move(other);
-    };
-    if (space && !isWhole()) offer(build(nullptr, HubChoice::near));
-    if (!isWhole()) offer(build(nullptr, HubChoice::centre));
-    return best;
+    if (flaws(topology) > flaws(cut.topology)) return std::nullopt;
+    for (CellLevel& level : cut.cells) divide(divided, level.domain);
+    divide(divided, components.leaf);
+    divide(divided, pieces.leaf);
+    cut.surface = std::move(filled->divided.surface);
+    cut.topology = std::move(topology);
+    return std::move(filled->walls);
+}
+
+SolidWalls bestWalls(bool mayDivide, CutSurface& cut, Components& components, Components& pieces) {
+    StraightWalls straight(cut, pieces);
+    if (mayDivide && !closesAll(straight.best())) {
+        if (auto filled = fillInside(straight.best(), cut, components, pieces))
+            return std::move(*filled);
+    }
+    straight.tryCentres();
+    return straight.take();
 }
 
 }  // namespace
 
-SolidLeaves findSolidLeaves(const CutSurface& cut, bool carried, Components& components) {
+SolidLeaves findSolidLeaves(CutSurface& cut, bool carried, bool mayDivide, Components& components) {
     const std::vector<uint32_t> twins = twinLeaves(
         cut.surface, cut.topology, components, FarSide(cut.surface, cut.topology),
         [&cut](uint32_t level) { return !cut.hasCells(level); }, carried);
     std::vector<uint32_t> pieceOf;  // per leaf as it was
-    const Components pieces = uniteLeaves(components, twins, pieceOf);
-    SolidWalls walls = betterWalls(cut, pieces);
+    Components pieces = uniteLeaves(components, twins, pieceOf);
+    SolidWalls walls = bestWalls(mayDivide, cut, components, pieces);
     std::vector<uint8_t> chosen = walls.solid;  // per piece
-    const bool sited = CellSpace::of(cut, pieces).has_value();
+    const bool sited = !walls.filled && CellSpace::of(cut, pieces).has_value();
     const Lumps lumps = splitLumps(cut.surface, cut.topology, pieces, cut.groups, sited, walls);
     for (;;) {
         // Twins that are not solid stay apart.

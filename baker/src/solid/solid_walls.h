@@ -24,6 +24,8 @@ struct SolidWalls {
     /// Per piece: all its walls are there, cross neither the surface nor each other, and hold a
     /// positive volume.
     std::vector<uint8_t> solid;
+    /// Pieces are as they were made to fit, not what cells of a pattern are inside.
+    bool filled = false;
 };
 
 /// piece: per triangle, below pieceCount. space: how patterns divide the inside; null if they do

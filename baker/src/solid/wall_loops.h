@@ -7,7 +7,8 @@
 
 namespace sherd {
 
-/// A corner of a wall's outline: a vertex of the surface, or a hub.
+/// A corner of a wall or of its outline: a vertex of the surface, or a hub. A hub stands for the
+/// vertex in a piece that comes there with no part of the surface.
 struct OutlineVertex {
     uint32_t vertex = kNone;  ///< of the split surface
     uint32_t hub = kNone;
@@ -15,6 +16,8 @@ struct OutlineVertex {
     uint32_t highCorner = kNone;  ///< likewise in the higher
     bool onRing = false;          ///< of an arc without nodes
     uint32_t arc = kNone;         ///< on the surface
+
+    uint32_t cornerIn(bool low) const { return low ? lowCorner : highCorner; }
 };
 
 /// The outline of a wall, a closed polygon: along arcs with the lower piece on the left, and
