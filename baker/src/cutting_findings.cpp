@@ -37,12 +37,14 @@ void add(BakedObjectReport& report, const char* code, const std::string& message
 
 std::vector<BakePlace> placesOf(const std::vector<LooseEnd>& ends) {
     std::vector<BakePlace> places;
+    places.reserve(ends.size());
     for (const LooseEnd& end : ends) places.push_back({end.position, end.uv, ""});
     return places;
 }
 
 std::vector<BakePlace> placesOf(const SurfaceMesh& mesh, const std::vector<MergedLeaf>& leaves) {
     std::vector<BakePlace> places;
+    places.reserve(leaves.size());
     for (const MergedLeaf& leaf : leaves)
         places.push_back(
             {leaf.position, uvOf(mesh, leaf.source, leaf.position), text("area %.3g", leaf.area)});

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/bisection.h"
 
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
 namespace sherd {
 namespace {
 
@@ -25,17 +29,26 @@ class Bisector {
              std::span<const uint32_t> middle, const std::function<double(uint32_t)>& length2)
         : mesh_(mesh), marked_(marked), middle_(middle), length2_(length2) {}
 
-    void run() {
-        halves_.assign(mesh_.opposite.size(), {kNone, kNone});
-        out_.reserve(mesh_.triangles.size());
-        for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-            const BisectedTriangles::Triangle& from = mesh_.triangles[t];
-            Piece piece{from, {}};
-            for (uint32_t k = 0; k < 3; ++k) piece.sides[k] = {3 * t + k, Part::whole};
-            add(piece, longestSide(t, length2_));
+    std::vector<uint32_t> run() {
+        placeOf_.assign(mesh_.triangles.size(), kNone);
+        for (uint32_t t = 0; t < placeOf_.size(); ++t) {
+            const auto isMarked = [&](uint32_t k) { return marked_[3 * size_t{t} + k] != 0; };
+            if (!isMarked(0) && !isMarked(1) && !isMarked(2)) continue;
+            placeOf_[t] = static_cast<uint32_t>(cut_.size());
+            cut_.push_back({t, {}, {}});
+        }
+        for (Cut& cut : cut_) {
+            Piece piece{mesh_.triangles[cut.triangle], {}};
+            for (uint32_t k = 0; k < 3; ++k) {
+                piece.sides[k] = {3 * cut.triangle + k, Part::whole};
+                cut.opposite[k] = mesh_.opposite[3 * size_t{cut.triangle} + k];
+                cut.halves[k] = {kNone, kNone};
+            }
+            slot_ = cut.triangle;
+            add(piece, longestSide(cut.triangle, length2_));
         }
         glue();
-        mesh_.triangles = std::move(out_);
+        return std::move(made_);
     }
 
   private:
@@ -47,6 +60,12 @@ class Bisector {
     struct Piece {
         BisectedTriangles::Triangle triangle;
         std::array<Side, 3> sides;
+    };
+
+    struct Cut {
+        uint32_t triangle;
+        std::array<uint32_t, 3> opposite;               ///< what its sides were glued to
+        std::array<std::array<uint32_t, 2>, 3> halves;  ///< what lies on them now
     };
 
     bool isMarked(const Side& side) const {
@@ -94,41 +113,63 @@ class Bisector {
         add(end, 0);
     }
 
+    /// The first piece takes the place of what was cut, the others come after all.
     void emit(const Piece& piece) {
-        const auto t = static_cast<uint32_t>(out_.size());
-        out_.push_back(piece.triangle);
+        const uint32_t t = slot_ != kNone ? slot_ : static_cast<uint32_t>(mesh_.triangles.size());
+        if (slot_ == kNone) mesh_.triangles.emplace_back();
+        mesh_.triangles[t] = piece.triangle;
+        made_.push_back(t);
+        slot_ = kNone;
         for (uint32_t k = 0; k < 3; ++k) {
             const Side& side = piece.sides[k];
             if (side.part == Part::inner) {
                 innerPair_[side.halfEdge] = 3 * t + k;
             } else {
-                halves_[side.halfEdge][side.part == Part::second ? 1 : 0] = 3 * t + k;
+                Cut& cut = cut_[placeOf_[side.halfEdge / 3]];
+                cut.halves[side.halfEdge % 3][side.part == Part::second ? 1 : 0] = 3 * t + k;
             }
         }
     }
 
+    /// What lies on an old half edge now.
+    std::array<uint32_t, 2> halvesOf(uint32_t halfEdge) const {
+        const uint32_t place = placeOf_[halfEdge / 3];
+        if (place == kNone) return {halfEdge, kNone};
+        return cut_[place].halves[halfEdge % 3];
+    }
+
     void glue() {
-        std::vector<uint32_t> opposite(3 * out_.size(), kNone);
-        for (uint32_t h = 0; h < halves_.size(); ++h) {
-            const uint32_t o = mesh_.opposite[h];
-            if (o == kNone) continue;
-            const bool isCut = halves_[h][1] != kNone;
-            opposite[halves_[h][0]] = halves_[o][isCut ? 1 : 0];
-            if (isCut) opposite[halves_[h][1]] = halves_[o][0];
+        std::vector<uint32_t>& opposite = mesh_.opposite;
+        opposite.resize(3 * mesh_.triangles.size(), kNone);
+        const auto join = [&](uint32_t h, uint32_t o) { opposite[h] = o, opposite[o] = h; };
+        for (const Cut& cut : cut_) {
+            for (size_t k = 0; k < 3; ++k) {
+                const auto& [first, second] = cut.halves[k];
+                opposite[first] = kNone;
+                if (second != kNone) opposite[second] = kNone;
+            }
         }
-        for (size_t i = 0; i < innerPair_.size(); i += 2) {
-            opposite[innerPair_[i]] = innerPair_[i + 1];
-            opposite[innerPair_[i + 1]] = innerPair_[i];
+        for (const Cut& cut : cut_) {
+            for (size_t k = 0; k < 3; ++k) {
+                if (cut.opposite[k] == kNone) continue;
+                const auto [first, second] = cut.halves[k];
+                const std::array<uint32_t, 2> others = halvesOf(cut.opposite[k]);
+                const bool isWhole = second == kNone;
+                join(first, others[isWhole ? 0 : 1]);
+                if (!isWhole) join(second, others[0]);
+            }
         }
-        mesh_.opposite = std::move(opposite);
+        for (size_t i = 0; i < innerPair_.size(); i += 2) join(innerPair_[i], innerPair_[i + 1]);
     }
 
     BisectedTriangles& mesh_;
     std::span<const uint8_t> marked_;
     std::span<const uint32_t> middle_;
     const std::function<double(uint32_t)>& length2_;
-    std::vector<BisectedTriangles::Triangle> out_;
-    std::vector<std::array<uint32_t, 2>> halves_;  ///< per old half edge: what lies on it now
+    std::vector<Cut> cut_;
+    std::vector<uint32_t> placeOf_;  ///< per old triangle: in cut_
+    uint32_t slot_ = kNone;          ///< where the next piece goes; kNone: after all
+    std::vector<uint32_t> made_;
     std::vector<uint32_t> innerPair_;
     uint32_t innerSides_ = 0;
 };
@@ -183,9 +224,33 @@ void closeMarks(const BisectedTriangles& mesh, const std::function<double(uint32
     }
 }
 
-void bisect(BisectedTriangles& mesh, std::span<const uint8_t> marked,
-            std::span<const uint32_t> middle, const std::function<double(uint32_t)>& length2) {
-    Bisector(mesh, marked, middle, length2).run();
+std::vector<uint32_t> bisect(BisectedTriangles& mesh, std::span<const uint8_t> marked,
+                             std::span<const uint32_t> middle,
+                             const std::function<double(uint32_t)>& length2) {
+    return Bisector(mesh, marked, middle, length2).run();
+}
+
+void sortByParent(BisectedTriangles& mesh) {
+    const auto& before = mesh.triangles;
+    uint32_t parents = 0;
+    for (const auto& t : before) parents = std::max(parents, t.parent + 1);
+    std::vector<uint32_t> next(parents + 1, 0), order(before.size()), place(before.size());
+    for (const auto& t : before) ++next[t.parent + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (uint32_t t = 0; t < before.size(); ++t) order[place[t] = next[before[t].parent]++] = t;
+    std::vector<BisectedTriangles::Triangle> triangles;
+    std::vector<uint32_t> opposite;
+    triangles.reserve(order.size());
+    opposite.reserve(3 * order.size());
+    for (const uint32_t t : order) {
+        triangles.push_back(before[t]);
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t o = mesh.opposite[3 * size_t{t} + k];
+            opposite.push_back(o == kNone ? kNone : 3 * place[o / 3] + o % 3);
+        }
+    }
+    mesh.triangles = std::move(triangles);
+    mesh.opposite = std::move(opposite);
 }
 
 }  // namespace sherd

@@ -30,9 +30,9 @@ struct BisectedTriangles {
         uint32_t child = kNone;  ///< kNone: not cut
         uint32_t side = 0;
     };
-    std::vector<Triangle> triangles;  ///< sorted by parent
-    std::vector<uint32_t> opposite;   ///< per half edge: the one it is glued to; kNone: none
-    std::vector<Node> nodes;          ///< the parents come first, in their order
+    std::vector<Triangle> triangles;
+    std::vector<uint32_t> opposite;  ///< per half edge: the one it is glued to; kNone: none
+    std::vector<Node> nodes;         ///< the parents come first, in their order
 
     BisectedTriangles() = default;
     /// The parents themselves, glued as `opposite` says.
@@ -57,9 +57,13 @@ void closeMarks(const BisectedTriangles& mesh,
                 std::vector<uint8_t>& marked);
 
 /// Cuts all marked sides in their middle. middle[h] is the new vertex of side h, the same from both
-/// sides; marks must be closed, by the same length.
-void bisect(BisectedTriangles& mesh, std::span<const uint8_t> marked,
-            std::span<const uint32_t> middle,
-            const std::function<double(uint32_t halfEdge)>& length2);
+/// sides; marks must be closed, by the same length. Triangles that are not cut keep their numbers;
+/// returns those that are new.
+std::vector<uint32_t> bisect(BisectedTriangles& mesh, std::span<const uint8_t> marked,
+                             std::span<const uint32_t> middle,
+                             const std::function<double(uint32_t halfEdge)>& length2);
+
+/// Brings the triangles into the order of their parents.
+void sortByParent(BisectedTriangles& mesh);
 
 }  // namespace sherd

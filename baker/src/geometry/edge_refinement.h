@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <unordered_set>
 #include <vector>
 
@@ -25,7 +26,8 @@ template <class Target>
 void refineEdges(BisectedTriangles& mesh, Target& target, unsigned threads) {
     using Middle = typename Target::Middle;
     constexpr int kMaxRounds = 60;
-    constexpr size_t kChunk = 64;
+    constexpr size_t kChunk = 64, kScan = 4096;
+    const size_t parents = mesh.nodes.size();
     const std::function<double(uint32_t)> length2 = [&](uint32_t h) { return target.length2(h); };
     const auto key = [&](uint32_t h) {
         const auto [a, b] = target.endsOf(h);
@@ -34,14 +36,27 @@ void refineEdges(BisectedTriangles& mesh, Target& target, unsigned threads) {
     // Each edge is looked at from one of its sides.
     const auto isFirst = [&](uint32_t h) { return h < mesh.opposite[h]; };
     std::unordered_set<uint64_t> even;
+    std::vector<uint32_t> fresh(mesh.triangles.size());  // triangles not looked at yet
+    std::iota(fresh.begin(), fresh.end(), 0U);
     for (int round = 0; round < kMaxRounds; ++round) {
         const auto count = static_cast<uint32_t>(mesh.opposite.size());
+        std::vector<uint8_t> isFresh(mesh.triangles.size(), 0), marked(count, 0);
+        for (const uint32_t t : fresh) isFresh[t] = 1;
+        const auto isCandidate = [&](uint32_t h) {
+            const uint32_t o = mesh.opposite[h];
+            const bool isOther = h > o && o != BisectedTriangles::kNone && isFresh[o / 3] != 0;
+            return !isOther && target.length2(h) > target.shortest2() && !even.contains(key(h));
+        };
+        parallelRuns(fresh.size(), kScan, threads, [&](size_t first, size_t last) {
+            for (size_t i = first; i < last; ++i) {
+                for (uint32_t h = 3 * fresh[i]; h < 3 * fresh[i] + 3; ++h)
+                    marked[h] = isCandidate(h) ? 1 : 0;
+            }
+        });
         std::vector<uint32_t> candidates;
-        for (uint32_t h = 0; h < count; ++h) {
-            if (isFirst(h) && target.length2(h) > target.shortest2() && !even.contains(key(h)))
-                candidates.push_back(h);
-        }
-        if (candidates.empty()) return;
+        for (uint32_t h = 0; h < count; ++h)
+            if (marked[h] != 0) candidates.push_back(h);
+        if (candidates.empty()) break;
         const auto middlesOf = [&](const std::vector<uint32_t>& sides) {
             std::vector<Middle> middles(sides.size());
             parallelRuns(sides.size(), kChunk, threads, [&](size_t first, size_t last) {
@@ -50,17 +65,17 @@ void refineEdges(BisectedTriangles& mesh, Target& target, unsigned threads) {
             return middles;
         };
         std::vector<Middle> middles = middlesOf(candidates);
-        std::vector<uint8_t> marked(count, 0);
         bool any = false;
+        even.reserve(even.size() + candidates.size());
         for (size_t i = 0; i < candidates.size(); ++i) {
             if (target.isEven(candidates[i], middles[i])) {
                 even.insert(key(candidates[i]));
+                marked[candidates[i]] = 0;
             } else {
-                marked[candidates[i]] = 1;
                 any = true;
             }
         }
-        if (!any) return;
+        if (!any) break;
         closeMarks(mesh, length2, marked);
         std::vector<uint32_t> middle(count, BisectedTriangles::kNone);
         const auto add = [&](const std::vector<uint32_t>& sides, std::vector<Middle>& found) {
@@ -78,8 +93,9 @@ void refineEdges(BisectedTriangles& mesh, Target& target, unsigned threads) {
                 more.push_back(h);
         middles = middlesOf(more);
         add(more, middles);
-        bisect(mesh, marked, middle, length2);
+        fresh = bisect(mesh, marked, middle, length2);
     }
+    if (mesh.nodes.size() > parents) sortByParent(mesh);
 }
 
 }  // namespace sherd

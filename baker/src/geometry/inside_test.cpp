@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <thread>
+#include <numeric>
 
+#include "geometry/parallel_for.h"
 #include "geometry/ray_crossing.h"
 
 namespace sherd {
@@ -68,7 +69,22 @@ InsideTest::Grid::Grid(std::span<const glm::vec3> positions,
         }
     }
     chooseResolution();
+    sort();
     fill();
+}
+
+/// By their first cell: what a ray asks for together lies together.
+void InsideTest::Grid::sort() {
+    const auto first = [this](const Triangle& t) {
+        const Box box = cellsOf(t);
+        return static_cast<size_t>(box.y0) * width_ + box.x0;
+    };
+    std::vector<uint32_t> next(static_cast<size_t>(width_) * height_ + 1, 0);
+    for (const Triangle& t : triangles_) ++next[first(t) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Triangle> sorted(triangles_.size());
+    for (const Triangle& t : triangles_) sorted[next[first(t)]++] = t;
+    triangles_ = std::move(sorted);
 }
 
 uint32_t InsideTest::Grid::cellX(double x) const {
@@ -96,7 +112,7 @@ void InsideTest::Grid::chooseResolution() {
     if (!(longer > 0)) return;
     const double cells = 2.0 * static_cast<double>(triangles_.size());
     const double area = std::max(extent.x / longer, 1e-6) * std::max(extent.y / longer, 1e-6);
-    for (double perSide = std::sqrt(cells / area);; perSide /= 2) {
+    for (double perSide = std::sqrt(cells / area);; perSide /= 1.25) {
         const auto count = [&](double e) {
             return static_cast<uint32_t>(std::clamp(perSide * e / longer, 1.0, 16384.0));
         };
@@ -109,7 +125,7 @@ void InsideTest::Grid::chooseResolution() {
             const Box box = cellsOf(t);
             entries += static_cast<uint64_t>(box.x1 - box.x0 + 1) * (box.y1 - box.y0 + 1);
         }
-        if (entries <= 8 * triangles_.size() || (width_ == 1 && height_ == 1)) return;
+        if (entries <= 12 * triangles_.size() || (width_ == 1 && height_ == 1)) return;
     }
 }
 
@@ -192,16 +208,10 @@ int InsideTest::winding(const glm::dvec3& point) const {
 
 void InsideTest::inside(std::span<const glm::vec3> points, std::span<uint8_t> result,
                         unsigned threads) const {
-    const auto run = [&](size_t first, size_t last) {
+    constexpr size_t kGrain = 512;
+    parallelRuns(points.size(), kGrain, threads, [&](size_t first, size_t last) {
         for (size_t i = first; i < last; ++i) result[i] = inside(glm::dvec3(points[i])) ? 1 : 0;
-    };
-    const size_t parts = std::clamp<size_t>(points.size() / 4096, 1, std::max(threads, 1U));
-    std::vector<std::thread> workers;
-    for (size_t part = 1; part < parts; ++part) {
-        workers.emplace_back(run, points.size() * part / parts, points.size() * (part + 1) / parts);
-    }
-    run(0, points.size() / parts);
-    for (std::thread& worker : workers) worker.join();
+    });
 }
 
 }  // namespace sherd

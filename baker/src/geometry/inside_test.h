@@ -54,6 +54,7 @@ class InsideTest {
 
       private:
         void chooseResolution();
+        void sort();
         void fill();
         struct Box {
             uint32_t x0, x1, y0, y1;

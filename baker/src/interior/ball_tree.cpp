@@ -10,9 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
-#include <thread>
-#include <utility>
+
+#include "interior/four.h"
 
 namespace sherd {
 namespace {
@@ -20,53 +19,60 @@ namespace {
 constexpr float kLoose = 0.98F;     // of the radius: what is nearer to the centre shrinks the ball,
 constexpr float kTight = 0.999F;    // and at last, near what it touches
 constexpr float kSmallest = 1e-5F;  // balls below this are none
-constexpr float kFlat = 1e-10F;     // sine squared of the angle below which a triangle is its edges
-constexpr uint32_t kMaxDepth = 64;
+constexpr float kFar = 1e30F;       // of no child, no contact
+constexpr size_t kMaxDepth = 96;    // of the walk: three are left behind at each of 16 levels
+constexpr size_t kWidth = BallNodes::kWidth;
 
-glm::vec3 closestOnEdges(const glm::vec3& p, const std::array<glm::vec3, 3>& corner) {
-    glm::vec3 best = corner[0];
-    float bestDistance = std::numeric_limits<float>::infinity();
-    for (size_t k = 0; k < 3; ++k) {
-        const glm::vec3 a = corner[k], ab = corner[(k + 1) % 3] - a;
-        const float length2 = glm::dot(ab, ab);
-        const float t = length2 > 0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0F, 1.0F) : 0.0F;
-        const glm::vec3 q = a + ab * t;
-        const float distance = glm::dot(q - p, q - p);
-        if (!(distance < bestDistance)) continue;
-        bestDistance = distance;
-        best = q;
-    }
-    return best;
+struct FourTriangles {
+    FourPoints a, ab, ac;
+};
+
+/// On a side that starts at a, where p is seen from a.
+FourPoints closestOnSide(const FourPoints& a, const FourPoints& side, const FourPoints& p) {
+    // Of no length: 0 / 0, of which min makes 1.
+    const Four t = xsimd::min(dot(p, side) / dot(side, side), Four(1.0F));
+    return a + side * xsimd::max(t, Four(0.0F));
 }
 
 /// As closestOnTriangle of geometry/, in float.
-glm::vec3 closestPoint(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b,
-                       const glm::vec3& c) {
-    const glm::vec3 ab = b - a, ac = c - a, ap = p - a;
-    const float d00 = glm::dot(ab, ab), d01 = glm::dot(ab, ac), d11 = glm::dot(ac, ac);
-    const float d20 = glm::dot(ap, ab), d21 = glm::dot(ap, ac);
-    const float area = d00 * d11 - d01 * d01;
-    const float v = d11 * d20 - d01 * d21, w = d00 * d21 - d01 * d20;
-    // Slivers are their edges.
-    if (v > 0 && w > 0 && v + w < area && area > kFlat * d00 * d11)
-        return a + ab * (v / area) + ac * (w / area);
-    return closestOnEdges(p, {a, b, c});
+FourPoints closestPoints(const FourTriangles& triangles, const FourPoints& p) {
+    const auto& [a, ab, ac] = triangles;
+    const FourPoints ap = p - a;
+    const Four d00 = dot(ab, ab), d01 = dot(ab, ac), d11 = dot(ac, ac);
+    const Four d20 = dot(ap, ab), d21 = dot(ap, ac);
+    const Four area = d00 * d11 - d01 * d01;
+    const Four v = d11 * d20 - d01 * d21, w = d00 * d21 - d01 * d20;
+    const Four zero(0.0F);
+    const auto inside =
+        (v > zero) & (w > zero) & (v + w < area) & (area > Four(kSliver) * d00 * d11);
+    FourPoints best = a + (ab * (v / area) + ac * (w / area));
+    if (xsimd::all(inside)) return best;
+    FourPoints onEdges = closestOnSide(a, ab, ap);
+    FourPoints off = onEdges - p;
+    Four distance = dot(off, off);
+    const auto orOn = [&](const FourPoints& q) {
+        off = q - p;
+        const Four other = dot(off, off);
+        onEdges = select(other < distance, q, onEdges);
+        distance = xsimd::min(other, distance);
+    };
+    orOn(closestOnSide(a, ac, ap));
+    const FourPoints b = a + ab;
+    orOn(closestOnSide(b, ac - ab, p - b));
+    return select(inside, best, onEdges);
 }
 
 }  // namespace
 
 struct BallTree::Query {
-    glm::vec3 p, n, absNormal;
+    glm::vec3 p, n;
     glm::vec3 centre;
     float inside = kLoose;
     float radius, reach, reach2;  ///< reach: the radius less what may be entered
     uint32_t contact = kNone;
 
     Query(const Tangent& tangent, const Ball& ball)
-        : p(tangent.point),
-          n(tangent.normal),
-          absNormal(glm::abs(tangent.normal)),
-          contact(ball.contact) {
+        : p(tangent.point), n(tangent.normal), contact(ball.contact) {
         shrinkTo(ball.radius);
     }
     void shrinkTo(float r) {
@@ -86,174 +92,37 @@ struct BallTree::Query {
 BallTree::BallTree(std::span<const glm::vec3> positions,
                    std::span<const std::array<uint32_t, 3>> triangles,
                    std::span<const uint32_t> opposite, double separationAngle, unsigned threads)
-    : sinHalf_(static_cast<float>(std::sin(separationAngle / 2))) {
-    triangles_.reserve(triangles.size());
-    for (const auto& t : triangles) {
-        const glm::vec3 a = positions[t[0]], b = positions[t[1]], c = positions[t[2]];
-        const glm::vec3 normal = glm::cross(b - a, c - a);
-        const float length2 = glm::dot(normal, normal);
-        const bool sliver = !(length2 > kFlat * glm::dot(b - a, b - a) * glm::dot(c - a, c - a));
-        const glm::vec3 middle = (a + b + c) / 3.0F;
-        const float extent =
-            std::sqrt(std::max({glm::dot(a - middle, a - middle), glm::dot(b - middle, b - middle),
-                                glm::dot(c - middle, c - middle)}));
-        triangles_.push_back({a, b, c, sliver ? glm::vec3(0.0F) : normal / std::sqrt(length2),
-                              middle, extent * (1 + 1e-5F)});
-    }
-    std::vector<uint32_t> order(triangles_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    if (!triangles_.empty()) {
-        const auto count = static_cast<uint32_t>(triangles_.size());
-        nodes_.resize(nodesOf(count));
-        build(order, {0, count, 0}, threads);
-    }
-    renumber(order, opposite);
-}
+    : nodes_(buildBallNodes(positions, triangles, opposite, threads)),
+      sinHalf_(static_cast<float>(std::sin(separationAngle / 2))) {}
 
-/// Triangles come to lie in the order of the leaves: neighbours in space are neighbours in memory.
-void BallTree::renumber(std::span<const uint32_t> order, std::span<const uint32_t> opposite) {
-    std::vector<uint32_t> place(order.size());
-    std::vector<Triangle> ordered;
-    ordered.reserve(order.size());
-    for (uint32_t i = 0; i < order.size(); ++i) {
-        place[order[i]] = i;
-        ordered.push_back(triangles_[order[i]]);
-    }
-    triangles_ = std::move(ordered);
-    beside_.resize(order.size());
-    for (uint32_t i = 0; i < order.size(); ++i) {
-        for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t o = opposite[3 * order[i] + k];
-            beside_[i][k] = o == kNone ? kNone : place[o / 3];
-        }
-    }
-}
-
-/// Of a subtree over so many triangles: its shape is known beforehand, so parts can be built at
-/// once.
-uint32_t BallTree::nodesOf(uint32_t triangles) {
-    if (triangles <= kLeafSize) return 1;
-    return 1 + nodesOf(triangles / 2) + nodesOf(triangles - triangles / 2);
-}
-
-void BallTree::build(std::span<uint32_t> order, const Subtree& at, unsigned threads) {
-    Node& node = nodes_[at.root];
-    const uint32_t count = at.last - at.first;
-    if (count <= kSlabSize) setSlab(node, order.subspan(at.first, count));
-    if (count <= kLeafSize) {
-        setBox(node, order.subspan(at.first, count));
-        node.first = at.first;
-        node.count = count;
-        return;
-    }
-    glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
-    for (uint32_t i = at.first; i < at.last; ++i) {
-        low = glm::min(low, triangles_[order[i]].middle);
-        high = glm::max(high, triangles_[order[i]].middle);
-    }
-    const glm::vec3 size = high - low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-    const uint32_t middle = at.first + count / 2;
-    const auto key = [&](uint32_t t) { return std::pair(triangles_[t].middle[axis], t); };
-    std::nth_element(order.begin() + at.first, order.begin() + middle, order.begin() + at.last,
-                     [&](uint32_t x, uint32_t y) { return key(x) < key(y); });
-    const Subtree left{at.first, middle, at.root + 1};
-    const Subtree right{middle, at.last, at.root + 1 + nodesOf(count / 2)};
-    node.first = right.root;
-    std::thread other;
-    if (threads > 1) other = std::thread([&] { build(order, right, threads / 2); });
-    build(order, left, (threads + 1) / 2);
-    if (threads <= 1) build(order, right, 1);
-    if (other.joinable()) other.join();
-    const Node &l = nodes_[left.root], &r = nodes_[right.root];
-    const glm::vec3 least = glm::min(l.centre - l.extent, r.centre - r.extent);
-    const glm::vec3 most = glm::max(l.centre + l.extent, r.centre + r.extent);
-    node.centre = 0.5F * (least + most);
-    node.extent = 0.5F * (most - least) + 1e-7F;
-}
-
-void BallTree::setBox(Node& node, std::span<const uint32_t> members) const {
-    glm::vec3 low = triangles_[members[0]].a, high = low;
-    for (const uint32_t i : members) {
-        const Triangle& t = triangles_[i];
-        low = glm::min(low, glm::min(t.a, glm::min(t.b, t.c)));
-        high = glm::max(high, glm::max(t.a, glm::max(t.b, t.c)));
-    }
-    node.centre = 0.5F * (low + high);
-    // A little more, for what rounding took.
-    node.extent = 0.5F * (high - low) + 1e-6F * (glm::abs(low) + glm::abs(high));
-}
-
-void BallTree::setSlab(Node& node, std::span<const uint32_t> members) const {
-    glm::vec3 normal(0.0F);
-    for (const uint32_t i : members) {
-        const Triangle& t = triangles_[i];
-        normal += glm::cross(t.b - t.a, t.c - t.a);
-    }
-    const float length = glm::length(normal);
-    node.normal = length > 0 ? normal / length : glm::vec3(1, 0, 0);
-    node.low = std::numeric_limits<float>::infinity();
-    node.high = -node.low;
-    for (const uint32_t i : members) {
-        const Triangle& t = triangles_[i];
-        for (const glm::vec3& q : {t.a, t.b, t.c}) {
-            const float height = glm::dot(node.normal, q);
-            node.low = std::min(node.low, height);
-            node.high = std::max(node.high, height);
-        }
-    }
-}
-
-/// Whether points of the node may lie in the ball and in the cone of contacts.
-bool BallTree::meets(const Query& query, const Node& node) const {
-    const glm::vec3 d = glm::max(glm::abs(query.centre - node.centre) - node.extent, 0.0F);
-    if (glm::dot(d, d) >= query.reach2) return false;
-    const float height = glm::dot(node.normal, query.centre);
-    if (height - node.high >= query.reach || node.low - height >= query.reach) return false;
-    const glm::vec3 fromCentre = query.p - node.centre;
-    const float depth = glm::dot(fromCentre, query.n) + glm::dot(node.extent, query.absNormal);
-    if (depth <= 0) return false;
-    const glm::vec3 e = glm::max(glm::abs(fromCentre) - node.extent, 0.0F);
-    return depth * depth > sinHalf_ * sinHalf_ * glm::dot(e, e);
-}
-
-/// Whether the triangle shrank the ball.
-bool BallTree::shrinkBy(Query& query, uint32_t triangle) const {
-    constexpr int kMaxSteps = 40;
-    const auto& [a, b, c, normal, middle, extent] = triangles_[triangle];
-    const glm::vec3 toMiddle = query.p - middle;
-    const float depth = glm::dot(toMiddle, query.n) + extent;
-    if (depth <= 0) return false;
-    const glm::vec3 fromMiddle = query.centre - middle;
-    const float farthest = query.reach + extent;
-    if (glm::dot(fromMiddle, fromMiddle) >= farthest * farthest) return false;
-    bool shrunk = false;
-    for (int step = 0; step < kMaxSteps && !query.isNone(); ++step) {
-        if (std::abs(glm::dot(normal, query.centre - a)) >= query.reach) break;
-        const glm::vec3 q = closestPoint(query.centre, a, b, c);
-        const glm::vec3 fromCentre = q - query.centre;
-        if (glm::dot(fromCentre, fromCentre) >= query.reach2) break;
-        const glm::vec3 d = query.p - q;
-        const float height = glm::dot(d, query.n), length2 = glm::dot(d, d);
-        if (height <= 0 || height * height < sinHalf_ * sinHalf_ * length2) break;
-        const float radius = length2 / (2 * height);
-        if (!(radius < query.radius)) break;
-        query.shrinkTo(radius);
-        query.contact = triangle;
-        shrunk = true;
-    }
-    return shrunk;
+/// Of the children in which points may lie in the ball and in the cone of contacts, the squared
+/// distance of their boxes' centres from the ball's; kFar for the others.
+BallNodes::Lanes BallTree::childrenMet(const Query& query, const BallNodes::Node& node) const {
+    const Four reach(query.reach);
+    const FourPoints centre = loaded(node.centre), extent = loaded(node.extent);
+    const FourPoints fromBall = fourTimes(query.centre) - centre;
+    const FourPoints fromPoint = fourTimes(query.p) - centre;
+    const FourPoints d = beyond(fromBall, extent), e = beyond(fromPoint, extent);
+    const Four height = dot(loaded(node.normal), fourTimes(query.centre));
+    const Four depth =
+        dot(fromPoint, fourTimes(query.n)) + dot(extent, fourTimes(glm::abs(query.n)));
+    const auto met = (dot(d, d) < Four(query.reach2)) & (height - loaded(node.high) < reach) &
+                     (loaded(node.low) - height < reach) & (depth > Four(0.0F)) &
+                     (depth * depth > Four(sinHalf_ * sinHalf_) * dot(e, e));
+    return stored(xsimd::select(met, dot(fromBall, fromBall), Four(kFar)));
 }
 
 BallTree::Ball BallTree::largest(const Tangent& tangent, float maxRadius, uint32_t near) const {
     // What enters a ball by a small share of its radius is passed over. Beside a large ball that
     // could be a thin wall as a whole, so a small one looks first.
     constexpr float kSmall = 1.0F / 32;
-    Query small(tangent, {kSmall * maxRadius, kNone});
-    search(small);
-    if (small.contact != kNone) return settled(small);
     Query query(tangent, {maxRadius, kNone});
     if (near != kNone) follow(query, near);
+    if (query.radius > kSmall * maxRadius) {
+        Query small(tangent, {kSmall * maxRadius, kNone});
+        search(small);
+        if (small.contact != kNone) return settled(small);
+    }
     search(query);
     return settled(query);
 }
@@ -261,36 +130,94 @@ BallTree::Ball BallTree::largest(const Tangent& tangent, float maxRadius, uint32
 /// Shrinks the ball by everything there is.
 void BallTree::search(Query& query) const {
     std::array<uint32_t, kMaxDepth> stack;
-    uint32_t depth = 0;
-    if (!nodes_.empty()) stack[depth++] = 0;
+    size_t depth = 0;
+    if (nodes_.root != kNone) stack[depth++] = nodes_.root;
     while (depth > 0 && !query.isNone()) {
         const uint32_t index = stack[--depth];
-        const Node& node = nodes_[index];
-        if (!meets(query, node)) continue;
-        if (node.count > 0) {
-            for (uint32_t i = node.first; i < node.first + node.count; ++i) shrinkBy(query, i);
+        if ((index & BallNodes::kLeaf) != 0) {
+            shrinkByLeaf(query, index & ~BallNodes::kLeaf);
             continue;
         }
-        uint32_t left = index + 1, right = node.first;
-        const auto distance2 = [&](uint32_t child) {
-            const glm::vec3 d = nodes_[child].centre - query.centre;
-            return glm::dot(d, d);
-        };
-        if (distance2(right) < distance2(left)) std::swap(left, right);
-        stack[depth++] = right;
-        stack[depth++] = left;
+        const BallNodes::Node& node = nodes_.nodes[index];
+        const BallNodes::Lanes distance = childrenMet(query, node);
+        // The nearest is looked at first: it lies on top.
+        const size_t bottom = depth;
+        std::array<float, kWidth> key;
+        for (size_t i = 0; i < kWidth; ++i) {
+            if (!(distance.at[i] < kFar)) continue;
+            size_t place = depth - bottom;
+            for (; place > 0 && key[place - 1] < distance.at[i]; --place) {
+                key[place] = key[place - 1];
+                stack[bottom + place] = stack[bottom + place - 1];
+            }
+            key[place] = distance.at[i];
+            stack[bottom + place] = node.child[i];
+            ++depth;
+        }
     }
+}
+
+/// By those of the leaf's triangles of which plane and surrounding ball are in reach.
+void BallTree::shrinkByLeaf(Query& query, uint32_t index) const {
+    const BallNodes::Leaf& leaf = nodes_.leaves[index];
+    const FourPoints middle = loaded(leaf.middle);
+    const Four radius = loaded(leaf.radius), reach(query.reach);
+    const Four depth = dot(fourTimes(query.p) - middle, fourTimes(query.n)) + radius;
+    const FourPoints away = fourTimes(query.centre) - middle;
+    const Four farthest = reach + radius;
+    const Four height = dot(loaded(leaf.normal), fourTimes(query.centre)) - loaded(leaf.offset);
+    const auto near = (depth > Four(0.0F)) & (dot(away, away) < farthest * farthest) &
+                      (xsimd::abs(height) < reach);
+    if (!xsimd::any(near)) return;
+    std::array<uint32_t, kWidth> members;
+    const auto last = static_cast<uint32_t>(nodes_.triangles.size() - 1);
+    for (uint32_t i = 0; i < kWidth; ++i)
+        members[i] = std::min(static_cast<uint32_t>(kWidth) * index + i, last);
+    shrinkBySome(query, members);
+}
+
+/// Returns the one that shrank the ball last, or kNone.
+uint32_t BallTree::shrinkBySome(Query& query, const std::array<uint32_t, kWidth>& members) const {
+    constexpr int kMaxSteps = 40;
+    const auto gathered = [&](BallNodes::Lanes BallNodes::Triangle::*part) {
+        return transposed(
+            {&(nodes_.triangles[members[0]].*part), &(nodes_.triangles[members[1]].*part),
+             &(nodes_.triangles[members[2]].*part), &(nodes_.triangles[members[3]].*part)});
+    };
+    const FourTriangles triangles{gathered(&BallNodes::Triangle::a),
+                                  gathered(&BallNodes::Triangle::ab),
+                                  gathered(&BallNodes::Triangle::ac)};
+    const Four sin2(sinHalf_ * sinHalf_), zero(0.0F);
+    const FourPoints p = fourTimes(query.p), n = fourTimes(query.n);
+    uint32_t last = kNone;
+    for (int step = 0; step < kMaxSteps && !query.isNone(); ++step) {
+        const FourPoints centre = fourTimes(query.centre);
+        const FourPoints q = closestPoints(triangles, centre);
+        const FourPoints fromCentre = q - centre, d = p - q;
+        const Four height = dot(d, n), length2 = dot(d, d);
+        const auto touches = (dot(fromCentre, fromCentre) < Four(query.reach2)) & (height > zero) &
+                             (height * height >= sin2 * length2);
+        if (!xsimd::any(touches)) break;
+        const BallNodes::Lanes radii =
+            stored(xsimd::select(touches, length2 / (Four(2.0F) * height), Four(kFar)));
+        const auto least = std::min_element(radii.at.begin(), radii.at.end());
+        if (!(*least < query.radius)) break;
+        query.shrinkTo(*least);
+        last = members[static_cast<size_t>(least - radii.at.begin())];
+        query.contact = last;
+    }
+    return last;
 }
 
 /// From a triangle on to whichever beside it shrinks the ball further.
 void BallTree::follow(Query& query, uint32_t triangle) const {
     constexpr int kMaxSteps = 64;
-    shrinkBy(query, triangle);
     for (int step = 0; step < kMaxSteps && !query.isNone(); ++step) {
-        uint32_t next = kNone;
-        for (const uint32_t beside : beside_[triangle])
-            if (beside != kNone && shrinkBy(query, beside)) next = beside;
-        if (next == kNone) return;
+        std::array<uint32_t, kWidth> members{triangle, triangle, triangle, triangle};
+        for (size_t k = 0; k < 3; ++k)
+            if (nodes_.beside[triangle][k] != kNone) members[k + 1] = nodes_.beside[triangle][k];
+        const uint32_t next = shrinkBySome(query, members);
+        if (next == kNone || next == triangle) return;
         triangle = next;
     }
 }
@@ -306,11 +233,12 @@ BallTree::Ball BallTree::settled(Query& query) const {
 BallTree::Ball BallTree::beside(const Tangent& tangent, Ball ball,
                                 std::span<const uint32_t> contacts) const {
     Query query(tangent, ball);
+    query.tighten();
     for (const uint32_t contact : contacts) {
         if (query.isNone()) break;
         if (contact != kNone && contact != query.contact) follow(query, contact);
     }
-    return settled(query);
+    return query.ball();
 }
 
 }  // namespace sherd

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <span>
-#include <vector>
+
+#include "interior/ball_nodes.h"
 
 namespace sherd {
 
@@ -15,7 +15,7 @@ namespace sherd {
 /// neither the triangles around p nor small bumps beside it shrink the ball.
 class BallTree {
   public:
-    static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+    static constexpr uint32_t kNone = BallNodes::kNone;
 
     /// Where balls touch the surface: point and unit normal, outwards.
     struct Tangent {
@@ -45,43 +45,21 @@ class BallTree {
     /// surface has a branch that no ball beside knows of, it is larger.
     Ball beside(const Tangent& tangent, Ball ball, std::span<const uint32_t> contacts) const;
 
+    /// The mesh's triangles, near ones near each other.
+    std::span<const uint32_t> order() const { return nodes_.numbers; }
+
   private:
     struct Query;
-    struct Node {
-        glm::vec3 centre, extent;   ///< box: centre +- extent
-        glm::vec3 normal{1, 0, 0};  ///< with low and high: all points have low <= normal.q <= high
-        float low = -1e30F, high = 1e30F;
-        uint32_t first = 0;  ///< leaf: first triangle; inner node: right child (left one is next)
-        uint32_t count = 0;  ///< triangles of a leaf, 0 for inner nodes
-    };
-    struct Triangle {
-        glm::vec3 a, b, c;
-        glm::vec3 normal;  ///< unit; 0 for slivers
-        glm::vec3 middle;  ///< of a ball around the triangle
-        float extent;      ///< radius of that ball
-    };
-    static constexpr uint32_t kLeafSize = 4;
-    static constexpr uint32_t kSlabSize = 512;  ///< larger patches are not flat
 
-    struct Subtree {
-        uint32_t first, last;  ///< of the order
-        uint32_t root;         ///< node
-    };
-    static uint32_t nodesOf(uint32_t triangles);
-    void build(std::span<uint32_t> order, const Subtree& at, unsigned threads);
-    void setBox(Node& node, std::span<const uint32_t> members) const;
-    void setSlab(Node& node, std::span<const uint32_t> members) const;
-    void renumber(std::span<const uint32_t> order, std::span<const uint32_t> opposite);
     void search(Query& query) const;
-    bool shrinkBy(Query& query, uint32_t triangle) const;
+    BallNodes::Lanes childrenMet(const Query& query, const BallNodes::Node& node) const;
+    void shrinkByLeaf(Query& query, uint32_t leaf) const;
+    uint32_t shrinkBySome(Query& query, const std::array<uint32_t, 4>& triangles) const;
     void follow(Query& query, uint32_t triangle) const;
     Ball settled(Query& query) const;
-    bool meets(const Query& query, const Node& node) const;
 
-    std::vector<Node> nodes_;
-    std::vector<Triangle> triangles_;
-    std::vector<std::array<uint32_t, 3>> beside_;  ///< per triangle: those across its sides
-    float sinHalf_;                                ///< of half the separation angle
+    BallNodes nodes_;
+    float sinHalf_;  ///< of half the separation angle
 };
 
 }  // namespace sherd

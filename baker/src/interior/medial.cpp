@@ -18,7 +18,9 @@
 #include "interior/medial.h"
 
 #include <algorithm>
+#include <future>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <optional>
 
 #include "geometry/inside_test.h"
@@ -37,12 +39,14 @@ class MedialBuilder {
                   const MedialOptions& options)
         : mesh_(mesh),
           options_(options),
-          inside_(mesh.positions, mesh.triangles),
+          insideLater_(std::async(options.threads > 1 ? std::launch::async : std::launch::deferred,
+                                  [&mesh] { return InsideTest(mesh.positions, mesh.triangles); })),
           medial_(mesh, topology, options) {}
 
     MedialSurface run() {
         medial_.refine();
         rings_.emplace(medial_.rings());
+        inside_.emplace(insideLater_.get());
         takeCentres();
         filter();
         fill();
@@ -58,12 +62,13 @@ class MedialBuilder {
     void fill();
     void smooth();
     void settle();
-    std::vector<uint8_t> areInside() const;
+    std::vector<uint8_t> areInside(std::span<const uint32_t> vertices) const;
     glm::vec3 toObject(const glm::vec3& p) const { return medial_.frame().toObject(glm::dvec3(p)); }
 
     const SurfaceMesh& mesh_;
     const MedialOptions& options_;
-    InsideTest inside_;
+    std::future<InsideTest> insideLater_;  ///< made while the balls are sought
+    std::optional<InsideTest> inside_;
     MedialMesh medial_;
     std::optional<VertexRings> rings_;  ///< of the refined mesh
     std::vector<glm::vec3> centres_;
@@ -74,13 +79,13 @@ class MedialBuilder {
 };
 
 /// Of the centres, whose rounding to the object's frame is inside.
-std::vector<uint8_t> MedialBuilder::areInside() const {
-    if (options_.open) return std::vector<uint8_t>(centres_.size(), 1);
+std::vector<uint8_t> MedialBuilder::areInside(std::span<const uint32_t> vertices) const {
+    if (options_.open) return std::vector<uint8_t>(vertices.size(), 1);
     std::vector<glm::vec3> points;
-    points.reserve(centres_.size());
-    for (const glm::vec3& c : centres_) points.push_back(toObject(c));
+    points.reserve(vertices.size());
+    for (const uint32_t v : vertices) points.push_back(toObject(centres_[v]));
     std::vector<uint8_t> result(points.size());
-    inside_.inside(points, result, options_.threads);
+    inside_->inside(points, result, options_.threads);
     return result;
 }
 
@@ -93,7 +98,9 @@ void MedialBuilder::takeCentres() {
         centres_[v] = medial_.centre(v);
         radii_[v] = medial_.radius(v);
     }
-    const std::vector<uint8_t> inside = areInside();
+    std::vector<uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0U);
+    const std::vector<uint8_t> inside = areInside(all);
     const auto smallest = static_cast<float>(options_.smallestRadius * medial_.frame().diagonal);
     for (size_t v = 0; v < count; ++v) {
         const bool counts = medial_.hasBall(v) && radii_[v] >= smallest;
@@ -161,10 +168,8 @@ void MedialBuilder::smooth() {
     smoothing.iterations = options_.postSmoothing;
     smoothing.lambda = 0.5;
     smoothing.mu = -0.53;
-    std::vector<std::array<uint32_t, 3>> triangles;
-    for (const auto& t : medial_.triangles().triangles) triangles.push_back(t.v);
     const std::vector<glm::dvec3> points(centres_.begin(), centres_.end());
-    const std::vector<glm::dvec3> moved = smoothed(points, triangles, smoothing);
+    const std::vector<glm::dvec3> moved = smoothed(points, *rings_, smoothing, options_.threads);
     centres_.assign(moved.begin(), moved.end());
 }
 
@@ -172,22 +177,31 @@ void MedialBuilder::smooth() {
 void MedialBuilder::settle() {
     constexpr int kMaxHalvings = 20;
     const std::vector<glm::vec3>& feet = medial_.feet();
-    std::vector<uint8_t> inside = areInside();
+    const auto footOf = [&](uint32_t v) {
+        return v < mesh_.positions.size() ? mesh_.positions[v] : toObject(feet[v]);
+    };
+    // Balls of some size that stayed where they were found are inside.
+    std::vector<uint32_t> moved;
+    for (uint32_t v = 0; v < centres_.size(); ++v)
+        if (options_.postSmoothing > 0 || own_[v] == 0 || radii_[v] == 0) moved.push_back(v);
+    const std::vector<uint8_t> inside = areInside(moved);
     result_.points.resize(centres_.size());
-    for (size_t v = 0; v < centres_.size(); ++v) {
-        const bool isMesh = v < mesh_.positions.size();
-        const glm::vec3 foot = isMesh ? mesh_.positions[v] : toObject(feet[v]);
+    for (uint32_t v = 0; v < centres_.size(); ++v) result_.points[v] = toObject(centres_[v]);
+    for (size_t k = 0; k < moved.size(); ++k) {
+        if (inside[k] != 0) continue;
+        const uint32_t v = moved[k];
         glm::vec3& point = result_.points[v];
-        point = toObject(centres_[v]);
-        if (inside[v] == 0 && centres_[v] != feet[v]) ++result_.pulledBack;
-        for (int i = 0; i < kMaxHalvings && inside[v] == 0; ++i) {
+        bool isInside = false;
+        if (centres_[v] != feet[v]) ++result_.pulledBack;
+        for (int i = 0; i < kMaxHalvings && !isInside; ++i) {
             centres_[v] = 0.5F * (centres_[v] + feet[v]);
             point = toObject(centres_[v]);
-            inside[v] = inside_.inside(glm::dvec3(point)) ? 1 : 0;
+            isInside = inside_->inside(glm::dvec3(point));
         }
-        if (inside[v] == 0) point = foot;
-        if (point == foot) ++result_.onSurface;
+        if (!isInside) point = footOf(v);
     }
+    for (uint32_t v = 0; v < centres_.size(); ++v)
+        if (result_.points[v] == footOf(v)) ++result_.onSurface;
 }
 
 Result<MedialSurface> fromPoles(const SurfaceMesh& mesh, const MeshTopology& topology,

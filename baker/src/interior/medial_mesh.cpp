@@ -6,13 +6,15 @@
 #include <numbers>
 
 #include "geometry/edge_refinement.h"
-#include "interior/corner_normals.h"
-#include "interior/poles.h"
+#include "geometry/parallel_for.h"
 #include "interior/smoothing.h"
 #include "interior/vertex_balls.h"
+#include "interior/vertex_normals.h"
 
 namespace sherd {
 namespace {
+
+constexpr size_t kGrain = 2048;
 
 glm::vec3 unitOrZero(const glm::dvec3& n) {
     const double length = glm::length(n);
@@ -28,23 +30,40 @@ std::vector<glm::dvec3> inUnits(const SurfaceMesh& mesh, const UnitFrame& frame)
 
 struct SmoothSurface {
     std::vector<glm::dvec3> points;
-    std::vector<glm::dvec3> normals;
+    std::vector<Facet> facets;
 };
 
 /// Smoothing that moves points along the surface would only tell balls of other places: what counts
 /// is how far it moves them along their normals.
 SmoothSurface smoothedSurface(const SurfaceMesh& mesh, const std::vector<glm::dvec3>& feet,
+                              const VertexRings& rings, const VertexCorners& corners,
                               double diagonal, const MedialOptions& options) {
     SmoothingOptions smoothing;
     smoothing.iterations = options.preSmoothing;
     smoothing.reach = options.smoothingReach * diagonal;
-    SmoothSurface result{smoothed(feet, mesh.triangles, smoothing), {}};
-    result.normals = vertexNormals(result.points, mesh.triangles);
-    for (size_t v = 0; v < feet.size(); ++v) {
-        const glm::dvec3& n = result.normals[v];
-        result.points[v] = feet[v] + n * glm::dot(n, result.points[v] - feet[v]);
-    }
-    result.normals = vertexNormals(result.points, mesh.triangles);
+    SmoothSurface result{smoothed(feet, rings, smoothing, options.threads), {}};
+    // Which way is all that counts here: the sum of the triangles' areas will do.
+    const auto normalAt = [&](uint32_t v) {
+        glm::dvec3 sum(0.0);
+        for (const uint32_t c : corners.of(v)) {
+            const auto& [a, b, d] = mesh.triangles[c / 3];
+            const glm::dvec3 &p = result.points[a], &q = result.points[b], &r = result.points[d];
+            sum += glm::cross(q - p, r - p);
+        }
+        return sum;
+    };
+    std::vector<glm::dvec3> moved(feet.size());
+    parallelRuns(feet.size(), kGrain, options.threads, [&](size_t first, size_t last) {
+        for (size_t v = first; v < last; ++v) {
+            const glm::dvec3 n = normalAt(static_cast<uint32_t>(v));
+            const double length2 = glm::dot(n, n);
+            const double along =
+                length2 > 0 ? glm::dot(n, result.points[v] - feet[v]) / length2 : 0;
+            moved[v] = feet[v] + n * along;
+        }
+    });
+    result.points = std::move(moved);
+    result.facets = facetsOf(result.points, mesh.triangles, options.threads);
     return result;
 }
 
@@ -60,11 +79,16 @@ MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
       options_(options),
       frame_(mesh),
       triangles_(mesh.triangles, topology.opposite),
+      corners_(mesh.positions.size(), mesh.triangles),
       tree_({}, {}, {}, 0) {
     const std::vector<glm::dvec3> feet = inUnits(mesh, frame_);
-    const auto [surface, normals] = smoothedSurface(mesh, feet, frame_.diagonal, options);
+    const VertexRings around = rings(feet.size());
+    SmoothSurface surface = smoothedSurface(mesh, feet, around, corners_, frame_.diagonal, options);
+    const std::vector<glm::dvec3> normals =
+        vertexNormals(surface.facets, corners_, feet.size(), options.threads);
+    facets_ = std::move(surface.facets);
     feet_.assign(feet.begin(), feet.end());
-    smoothed_.assign(surface.begin(), surface.end());
+    smoothed_.assign(surface.points.begin(), surface.points.end());
     origins_.resize(feet.size());
     tangents_.reserve(feet.size());
     for (uint32_t v = 0; v < feet.size(); ++v) {
@@ -73,8 +97,8 @@ MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
     }
     const double angle = radians(options.separationAngle);
     tree_ = BallTree(smoothed_, mesh.triangles, topology.opposite, angle, options.threads);
-    balls_ = vertexBalls(tree_, tangents_, rings(), static_cast<float>(frame_.diagonal / 2),
-                         options.threads);
+    balls_ = vertexBalls(tree_, mesh.triangles, tangents_, around,
+                         static_cast<float>(frame_.diagonal / 2), options.threads);
 }
 
 std::array<uint32_t, 2> MedialMesh::endsOf(uint32_t halfEdge) const {
@@ -167,11 +191,14 @@ struct MedialMesh::Refinement {
 
 void MedialMesh::refine() {
     const double shortest = options_.refinement * frame_.diagonal;
-    const auto count = static_cast<uint32_t>(triangles_.opposite.size());
-    bool any = false;
-    for (uint32_t h = 0; h < count && !any; ++h) any = length2(h) > shortest * shortest;
-    if (!any) return;
-    normals_ = cornerNormals(smoothed_, mesh_.triangles, radians(options_.separationAngle));
+    std::vector<uint8_t> hasLong(triangles_.triangles.size(), 0);
+    parallelRuns(hasLong.size(), kGrain, options_.threads, [&](size_t first, size_t last) {
+        for (size_t h = 3 * first; h < 3 * last; ++h)
+            if (length2(static_cast<uint32_t>(h)) > shortest * shortest) hasLong[h / 3] = 1;
+    });
+    if (std::count(hasLong.begin(), hasLong.end(), 1) == 0) return;
+    normals_ = cornerNormals(facets_, mesh_.triangles, corners_, hasLong,
+                             radians(options_.separationAngle), options_.threads);
     Refinement refinement{*this};
     refineEdges(triangles_, refinement, options_.threads);
 }

@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "geometry/bisection.h"
+#include "geometry/vertex_corners.h"
 #include "interior/ball_tree.h"
 #include "interior/medial.h"
 #include "interior/unit_frame.h"
+#include "interior/vertex_normals.h"
 #include "interior/vertex_rings.h"
 #include "surface/split_surface.h"
 
@@ -35,12 +37,11 @@ class MedialMesh {
     float radius(size_t v) const { return balls_[v].radius; }
     bool hasBall(size_t v) const { return glm::dot(tangents_[v].normal, tangents_[v].normal) > 0; }
     BisectedTriangles& triangles() { return triangles_; }
-    VertexRings rings() const {
-        return {feet_.size(), triangles_.triangles.size(),
-                [&](size_t t) { return triangles_.triangles[t].v; }};
-    }
+    VertexRings rings() const { return rings(feet_.size()); }
 
   private:
+    VertexRings rings(size_t vertices) const { return {vertices, triangles_}; }
+
     struct Refinement;
     struct Middle {
         VertexOrigin origin;
@@ -57,6 +58,8 @@ class MedialMesh {
     const MedialOptions& options_;
     UnitFrame frame_;
     BisectedTriangles triangles_;
+    VertexCorners corners_;      ///< of the mesh
+    std::vector<Facet> facets_;  ///< of the smoothed mesh
     std::vector<VertexOrigin> origins_;
     std::vector<glm::vec3> feet_;                    ///< on the surface
     std::vector<glm::vec3> smoothed_;                ///< of the mesh's vertices only

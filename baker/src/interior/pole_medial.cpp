@@ -12,6 +12,9 @@
 #include "interior/poles.h"
 #include "interior/smoothing.h"
 #include "interior/unit_frame.h"
+#include "interior/vertex_normals.h"
+#include "interior/vertex_rings.h"
+#include "surface/mesh_topology.h"
 
 namespace sherd {
 namespace {
@@ -20,7 +23,12 @@ namespace {
 class PoleMedialBuilder {
   public:
     PoleMedialBuilder(const SurfaceMesh& mesh, const PoleMedialOptions& options)
-        : mesh_(mesh), options_(options), frame_(mesh), used_(mesh.positions.size(), 0) {
+        : mesh_(mesh),
+          options_(options),
+          rings_(mesh.positions.size(), mesh.triangles,
+                 buildTopology(mesh.positions, mesh.triangles).opposite),
+          frame_(mesh),
+          used_(mesh.positions.size(), 0) {
         unit_.reserve(mesh.positions.size());
         for (const glm::vec3& p : mesh.positions) unit_.push_back(frame_.toUnit(glm::dvec3(p)));
         for (const auto& t : mesh.triangles) {
@@ -42,6 +50,7 @@ class PoleMedialBuilder {
 
     const SurfaceMesh& mesh_;
     const PoleMedialOptions& options_;
+    VertexRings rings_;
     UnitFrame frame_;
     std::vector<glm::dvec3> unit_;                  ///< positions in the unit frame
     std::vector<uint8_t> used_;                     ///< has a triangle
@@ -53,8 +62,10 @@ void PoleMedialBuilder::findPoles() {
     poles_.assign(unit_.size(), std::nullopt);
     SmoothingOptions smoothing;
     smoothing.iterations = options_.preSmoothing;
-    const std::vector<glm::dvec3> surface = smoothed(unit_, mesh_.triangles, smoothing);
-    const std::vector<glm::dvec3> normals = vertexNormals(surface, mesh_.triangles);
+    const std::vector<glm::dvec3> surface = smoothed(unit_, rings_, smoothing, options_.threads);
+    const std::vector<glm::dvec3> normals = vertexNormals(
+        facetsOf(surface, mesh_.triangles, options_.threads),
+        VertexCorners(surface.size(), mesh_.triangles), surface.size(), options_.threads);
     std::vector<glm::dvec3> sites, siteNormals;
     std::vector<uint32_t> vertexOfSite;
     for (uint32_t v = 0; v < surface.size(); ++v) {
@@ -83,7 +94,7 @@ void PoleMedialBuilder::smoothPoles() {
     smoothing.iterations = options_.postSmoothing;
     std::vector<glm::dvec3> points(unit_);
     for (size_t v = 0; v < points.size(); ++v) points[v] = poles_[v].value_or(unit_[v]);
-    points = smoothed(points, mesh_.triangles, smoothing);
+    points = smoothed(points, rings_, smoothing, options_.threads);
     for (size_t v = 0; v < points.size(); ++v) {
         if (poles_[v]) poles_[v] = points[v];
     }

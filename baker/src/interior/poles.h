@@ -11,10 +11,6 @@
 
 namespace sherd {
 
-/// Unit normals by the angles of the triangles around each point; 0 where there is no direction.
-std::vector<glm::dvec3> vertexNormals(std::span<const glm::dvec3> points,
-                                      std::span<const std::array<uint32_t, 3>> triangles);
-
 inline constexpr uint32_t kNoPole = 0xffffffffU;
 
 /// Per site: the vertex of its Voronoi cell that lies farthest from it on the inner side (against

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "interior/vertex_rings.h"
+
 namespace sherd {
 
 struct SmoothingOptions {
@@ -18,10 +20,9 @@ struct SmoothingOptions {
                                                              ///< sqrt(k) of its edges are longer
 };
 
-/// Moves each point towards the weighted mean of its neighbours in the triangulation, several
-/// times. Points without triangles stay.
-std::vector<glm::dvec3> smoothed(std::span<const glm::dvec3> points,
-                                 std::span<const std::array<uint32_t, 3>> triangles,
-                                 const SmoothingOptions& options);
+/// Moves each point towards the mean of its neighbours, several times. Points without neighbours
+/// stay.
+std::vector<glm::dvec3> smoothed(std::span<const glm::dvec3> points, const VertexRings& rings,
+                                 const SmoothingOptions& options, unsigned threads = 1);
 
 }  // namespace sherd

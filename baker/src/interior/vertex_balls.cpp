@@ -18,31 +18,6 @@ using Tangent = BallTree::Tangent;
 
 constexpr size_t kChunk = 256;
 
-/// Bits 0, 3, 6, ... of the result are the lowest ten of x.
-uint32_t spread(uint32_t x) {
-    x = (x | (x << 16)) & 0x030000ffU;
-    x = (x | (x << 8)) & 0x0300f00fU;
-    x = (x | (x << 4)) & 0x030c30c3U;
-    return (x | (x << 2)) & 0x09249249U;
-}
-
-/// Those with a normal, along a Morton curve: each is near the one before.
-std::vector<uint32_t> alongCurve(std::span<const Tangent> tangents, const VertexRings& rings) {
-    std::vector<std::pair<uint32_t, uint32_t>> order;
-    order.reserve(tangents.size());
-    for (uint32_t v = 0; v < tangents.size(); ++v) {
-        const auto& [point, normal] = tangents[v];
-        if (rings.of(v).empty() || !(glm::dot(normal, normal) > 0)) continue;
-        const glm::uvec3 cell(glm::clamp(point + 0.5F, 0.0F, 1.0F) * 1023.0F);
-        order.emplace_back(spread(cell.x) | spread(cell.y) << 1 | spread(cell.z) << 2, v);
-    }
-    std::sort(order.begin(), order.end());
-    std::vector<uint32_t> vertices;
-    vertices.reserve(order.size());
-    for (const auto& [code, v] : order) vertices.push_back(v);
-    return vertices;
-}
-
 class VertexBalls {
   public:
     VertexBalls(const BallTree& tree, std::span<const Tangent> tangents, const VertexRings& rings,
@@ -53,12 +28,14 @@ class VertexBalls {
           maxRadius_(maxRadius),
           threads_(threads),
           balls_(tangents.size()),
+          changedAt_(tangents.size(), 0),
+          learnedAt_(tangents.size(), 0),
           known_(tangents.size(), 0) {}
 
-    std::vector<Ball> run() {
-        constexpr size_t kStride = 8;  // one of so many searches
+    /// In an order in which each vertex is near the one before.
+    std::vector<Ball> run(std::span<const uint32_t> order) {
+        constexpr size_t kStride = 16;  // one of so many searches
         constexpr int kSweeps = 2;
-        const std::vector<uint32_t> order = alongCurve(tangents_, rings_);
         std::vector<uint32_t> sample;
         const size_t stride = order.size() < kManyVertices ? 1 : kStride;
         for (size_t i = 0; i < order.size(); i += stride) sample.push_back(order[i]);
@@ -69,7 +46,7 @@ class VertexBalls {
         for (const uint32_t v : order)
             if (known_[v] == 0) unreached.push_back(v);
         search(unreached);
-        std::vector<uint32_t> learners = order;
+        std::vector<uint32_t> learners(order.begin(), order.end());
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
             std::vector<uint32_t> changed = learn(learners);
             const std::vector<uint32_t> doubted = doubtful(order);
@@ -91,22 +68,43 @@ class VertexBalls {
                 near = balls_[v].contact;
             }
         });
-        for (const uint32_t v : vertices) known_[v] = kSearched;
+        for (const uint32_t v : vertices) {
+            known_[v] = kSearched;
+            changedAt_[v] = round_;
+        }
     }
 
     /// Those whose ball is out of proportion to a neighbour's, or touches nothing.
-    std::vector<uint32_t> doubtful(const std::vector<uint32_t>& vertices) {
-        constexpr float kProportion = 1.5F;
+    std::vector<uint32_t> doubtful(std::span<const uint32_t> vertices) {
+        std::vector<uint8_t> isIn(vertices.size());
+        parallelRuns(vertices.size(), kChunk, threads_, [&](size_t first, size_t last) {
+            for (size_t i = first; i < last; ++i) isIn[i] = isDoubtful(vertices[i]) ? 1 : 0;
+        });
         std::vector<uint32_t> result;
-        for (const uint32_t v : vertices) {
-            if (known_[v] == kSearched) continue;
-            float least = maxRadius_;
-            for (const uint32_t u : rings_.of(v))
-                if (known_[u] != 0) least = std::min(least, balls_[u].radius);
-            if (balls_[v].contact == BallTree::kNone || balls_[v].radius > kProportion * least)
-                result.push_back(v);
-        }
+        for (size_t i = 0; i < vertices.size(); ++i)
+            if (isIn[i] != 0) result.push_back(vertices[i]);
         return result;
+    }
+    bool isDoubtful(uint32_t v) const {
+        constexpr float kProportion = 1.5F;
+        if (known_[v] == kSearched) return false;
+        if (balls_[v].contact == BallTree::kNone) return true;
+        float least = maxRadius_;
+        for (const uint32_t u : rings_.of(v))
+            if (known_[u] != kUnknown) least = std::min(least, balls_[u].radius);
+        return balls_[v].radius > kProportion * least && isSteep(v, least);
+    }
+
+    /// Whether the ball is larger than `least` by more than its edges are long. Beside a crease
+    /// balls of no size lie beside balls as large as the edge between them.
+    bool isSteep(uint32_t v, float least) const {
+        const float rise = balls_[v].radius - least;
+        const auto isShort = [&](uint32_t u) {
+            const glm::vec3 edge = tangents_[u].point - tangents_[v].point;
+            return glm::dot(edge, edge) < rise * rise;
+        };
+        const std::span<const uint32_t> ring = rings_.of(v);
+        return std::all_of(ring.begin(), ring.end(), isShort);
     }
 
     /// Ring by ring from the known ones.
@@ -147,6 +145,7 @@ class VertexBalls {
     /// All of `vertices` at once from the balls that are known now. Returns those whose ball
     /// changed.
     std::vector<uint32_t> learn(const std::vector<uint32_t>& vertices) {
+        ++round_;
         learned_.resize(vertices.size());
         parallelRuns(vertices.size(), kChunk, threads_, [&](size_t first, size_t last) {
             std::vector<uint32_t> contacts;
@@ -154,18 +153,23 @@ class VertexBalls {
                 const uint32_t v = vertices[i];
                 contacts.clear();
                 for (const uint32_t u : rings_.of(v))
-                    if (known_[u] == kLearned || known_[u] == kSearched)
+                    if (known_[u] >= kLearned && changedAt_[u] >= learnedAt_[v])
                         contacts.push_back(balls_[u].contact);
                 std::sort(contacts.begin(), contacts.end());
                 contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
-                learned_[i] = tree_.beside(tangents_[v], balls_[v], contacts);
+                learned_[i] =
+                    contacts.empty() ? balls_[v] : tree_.beside(tangents_[v], balls_[v], contacts);
             }
         });
         std::vector<uint32_t> changed;
         for (size_t i = 0; i < vertices.size(); ++i) {
-            Ball& ball = balls_[vertices[i]];
-            if (ball.contact != learned_[i].contact) changed.push_back(vertices[i]);
-            ball = learned_[i];
+            const uint32_t v = vertices[i];
+            learnedAt_[v] = round_;
+            if (balls_[v].contact != learned_[i].contact) {
+                changed.push_back(v);
+                changedAt_[v] = round_;
+            }
+            balls_[v] = learned_[i];
         }
         return changed;
     }
@@ -176,15 +180,31 @@ class VertexBalls {
     float maxRadius_;
     unsigned threads_;
     std::vector<Ball> balls_, learned_;
+    // What a ball has learnt from a neighbour once it need not learn again.
+    uint32_t round_ = 0;
+    std::vector<uint32_t> changedAt_, learnedAt_;
     enum Known : uint8_t { kUnknown, kNext, kLearned, kSearched };
     std::vector<uint8_t> known_;
 };
 
 }  // namespace
 
-std::vector<Ball> vertexBalls(const BallTree& tree, std::span<const Tangent> tangents,
-                              const VertexRings& rings, float maxRadius, unsigned threads) {
-    return VertexBalls(tree, tangents, rings, maxRadius, threads).run();
+std::vector<Ball> vertexBalls(const BallTree& tree,
+                              std::span<const std::array<uint32_t, 3>> triangles,
+                              std::span<const Tangent> tangents, const VertexRings& rings,
+                              float maxRadius, unsigned threads) {
+    std::vector<uint32_t> order;
+    order.reserve(tangents.size());
+    std::vector<uint8_t> taken(tangents.size(), 0);
+    for (const uint32_t t : tree.order()) {
+        for (const uint32_t v : triangles[t]) {
+            const glm::vec3& n = tangents[v].normal;
+            if (taken[v] != 0 || !(glm::dot(n, n) > 0)) continue;
+            taken[v] = 1;
+            order.push_back(v);
+        }
+    }
+    return VertexBalls(tree, tangents, rings, maxRadius, threads).run(order);
 }
 
 }  // namespace sherd

@@ -16,6 +16,7 @@ inline constexpr size_t kManyVertices = 4096;
 /// whole surface; the others learn from their neighbours what their ball touches. Vertices without
 /// a normal (0) or without neighbours get balls of radius 0. The same for any number of threads.
 std::vector<BallTree::Ball> vertexBalls(const BallTree& tree,
+                                        std::span<const std::array<uint32_t, 3>> triangles,
                                         std::span<const BallTree::Tangent> tangents,
                                         const VertexRings& rings, float maxRadius,
                                         unsigned threads);

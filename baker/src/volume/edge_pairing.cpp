@@ -95,6 +95,7 @@ class Pairing {
     /// a backward use and ends at a forward one.
     void pairAround(const std::vector<Use>& uses) {
         std::vector<std::pair<double, Use>> placed;
+        placed.reserve(uses.size());
         for (const Use& u : uses) placed.emplace_back(angleOf(u, uses[0]), u);
         std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) {
             return a.first != b.first ? a.first < b.first : a.second.forward > b.second.forward;

@@ -39,6 +39,7 @@ struct Refined {
             positions.push_back((positions[v[h % 3]] + positions[v[(h + 1) % 3]]) / 2.0F);
         }
         bisect(mesh, marked, middle, length);
+        sortByParent(mesh);
     }
 };
 

@@ -282,7 +282,9 @@ TEST_CASE("the medial surface of a torus is its centre circle") {
 }
 
 TEST_CASE("the medial surface of a capsule is its axis") {
-    for (const int n : {32, 64}) {
+    // Where caps and sides meet, a normal is uncertain by half a facet: with fewer than 40 rings
+    // that alone is one percent of the diagonal.
+    for (const int n : {48, 64}) {
         const Shape shape = capsule(0.5F, 1.5F, n);
         const MedialSurface medial = medialOf(shape);
         CHECK(farthest(shape, medial, [](const Sample& s) {

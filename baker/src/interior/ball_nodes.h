@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace sherd {
+
+/// The triangles of a mesh in a tree, four children to a node and four triangles to a leaf, laid
+/// out for looking at four at once. Each child also knows the slab of its points.
+struct BallNodes {
+    static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
+    static constexpr uint32_t kWidth = 4;
+    static constexpr uint32_t kLeaf = 1U << 31;  ///< marks leaves among children
+
+    struct alignas(16) Lanes {
+        std::array<float, kWidth> at{};
+    };
+    using Vectors = std::array<Lanes, 3>;  ///< x of all, y of all, z of all
+
+    /// What is below. Boxes are centre +- extent; all points of a child have low <= normal.q <=
+    /// high.
+    struct Node {
+        Vectors centre, extent, normal;
+        Lanes low, high;
+        std::array<uint32_t, kWidth> child;  ///< node, or with kLeaf set a leaf; kNone: no child
+    };
+    /// Leaf i has triangles 4 i to 4 i + 3: around each a ball, and its plane.
+    struct Leaf {
+        Vectors middle, normal;  ///< normals unit, 0 for slivers
+        Lanes radius, offset;    ///< planes are normal.q = offset
+    };
+    /// A corner and the sides from it, each with a number that counts for nothing.
+    struct Triangle {
+        Lanes a, ab, ac;
+    };
+
+    std::vector<Node> nodes;
+    std::vector<Leaf> leaves;
+    std::vector<Triangle> triangles;              ///< in the order of the leaves
+    std::vector<std::array<uint32_t, 3>> beside;  ///< per triangle: those across its sides or kNone
+    std::vector<uint32_t> numbers;                ///< per triangle: in the mesh
+    uint32_t root = kNone;                        ///< as a child
+};
+
+/// The sine squared of the angle between two sides below which a triangle counts as its edges.
+inline constexpr float kSliver = 1e-10F;
+
+/// Positions finite and of a size near 1; opposite per half edge as in MeshTopology.
+BallNodes buildBallNodes(std::span<const glm::vec3> positions,
+                         std::span<const std::array<uint32_t, 3>> triangles,
+                         std::span<const uint32_t> opposite, unsigned threads);
+
+}  // namespace sherd

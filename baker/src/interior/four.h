@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <xsimd/xsimd.hpp>
+
+#include "interior/ball_nodes.h"
+
+namespace sherd {
+
+/// Four numbers or points at once.
+using Four = xsimd::make_sized_batch_t<float, BallNodes::kWidth>;
+using FourPoints = std::array<Four, 3>;
+
+inline Four loaded(const BallNodes::Lanes& lanes) {
+    return Four::load_aligned(lanes.at.data());
+}
+
+inline FourPoints loaded(const BallNodes::Vectors& v) {
+    return {loaded(v[0]), loaded(v[1]), loaded(v[2])};
+}
+
+inline BallNodes::Lanes stored(const Four& x) {
+    BallNodes::Lanes lanes;
+    x.store_aligned(lanes.at.data());
+    return lanes;
+}
+
+inline FourPoints fourTimes(const glm::vec3& p) {
+    return {Four(p.x), Four(p.y), Four(p.z)};
+}
+
+inline FourPoints operator+(const FourPoints& a, const FourPoints& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+inline FourPoints operator-(const FourPoints& a, const FourPoints& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+inline FourPoints operator*(const FourPoints& a, const Four& x) {
+    return {a[0] * x, a[1] * x, a[2] * x};
+}
+
+inline Four dot(const FourPoints& a, const FourPoints& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class Condition>
+FourPoints select(const Condition& condition, const FourPoints& a, const FourPoints& b) {
+    return {xsimd::select(condition, a[0], b[0]), xsimd::select(condition, a[1], b[1]),
+            xsimd::select(condition, a[2], b[2])};
+}
+
+/// How far |d| is beyond an extent.
+inline FourPoints beyond(const FourPoints& d, const FourPoints& extent) {
+    const Four zero(0.0F);
+    return {xsimd::max(xsimd::abs(d[0]) - extent[0], zero),
+            xsimd::max(xsimd::abs(d[1]) - extent[1], zero),
+            xsimd::max(xsimd::abs(d[2]) - extent[2], zero)};
+}
+
+/// The vectors of four rows become their coordinates; fourth numbers fall away.
+inline FourPoints transposed(const std::array<const BallNodes::Lanes*, 4>& rows) {
+    const Four a = loaded(*rows[0]), b = loaded(*rows[1]), c = loaded(*rows[2]),
+               d = loaded(*rows[3]);
+    const Four xxyyAC = xsimd::zip_lo(a, c), xxyyBD = xsimd::zip_lo(b, d);
+    const Four zzAC = xsimd::zip_hi(a, c), zzBD = xsimd::zip_hi(b, d);
+    return {xsimd::zip_lo(xxyyAC, xxyyBD), xsimd::zip_hi(xxyyAC, xxyyBD),
+            xsimd::zip_lo(zzAC, zzBD)};
+}
+
+}  // namespace sherd

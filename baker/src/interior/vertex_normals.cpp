@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "interior/vertex_normals.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "geometry/parallel_for.h"
+
+namespace sherd {
+namespace {
+
+constexpr size_t kGrain = 1024;
+
+Facet facetOf(const std::array<glm::dvec3, 3>& p) {
+    const glm::dvec3 cross = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const double twiceArea = glm::length(cross);
+    Facet facet;
+    if (!(twiceArea > 0)) return facet;
+    facet.normal = cross / twiceArea;
+    for (size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
+        facet.angles[k] = std::atan2(twiceArea, glm::dot(a, b));
+    }
+    return facet;
+}
+
+/// Opposite sheets welded together leave a sum of rounding errors only.
+glm::dvec3 unit(const glm::dvec3& n) {
+    const double length = glm::length(n);
+    return length > 1e-9 ? n / length : glm::dvec3(0.0);
+}
+
+}  // namespace
+
+std::vector<Facet> facetsOf(std::span<const glm::dvec3> points,
+                            std::span<const std::array<uint32_t, 3>> triangles, unsigned threads) {
+    std::vector<Facet> facets(triangles.size());
+    parallelRuns(triangles.size(), kGrain, threads, [&](size_t first, size_t last) {
+        for (size_t t = first; t < last; ++t) {
+            const auto& [a, b, c] = triangles[t];
+            facets[t] = facetOf({points[a], points[b], points[c]});
+        }
+    });
+    return facets;
+}
+
+std::vector<glm::dvec3> vertexNormals(std::span<const Facet> facets, const VertexCorners& corners,
+                                      size_t vertices, unsigned threads) {
+    std::vector<glm::dvec3> normals(vertices);
+    parallelRuns(vertices, kGrain, threads, [&](size_t first, size_t last) {
+        for (size_t v = first; v < last; ++v) {
+            glm::dvec3 sum(0.0);
+            for (const uint32_t c : corners.of(static_cast<uint32_t>(v)))
+                sum += facets[c / 3].angles[c % 3] * facets[c / 3].normal;
+            normals[v] = unit(sum);
+        }
+    });
+    return normals;
+}
+
+std::vector<std::array<glm::vec3, 3>> cornerNormals(
+    std::span<const Facet> facets, std::span<const std::array<uint32_t, 3>> triangles,
+    const VertexCorners& corners, std::span<const uint8_t> wanted, double creaseAngle,
+    unsigned threads) {
+    const double cosine = std::cos(creaseAngle);
+    const auto normalAt = [&](size_t t, size_t k) {
+        glm::dvec3 sum(0.0);
+        for (const uint32_t c : corners.of(triangles[t][k])) {
+            const Facet& other = facets[c / 3];
+            if (c / 3 == t || glm::dot(other.normal, facets[t].normal) > cosine)
+                sum += other.angles[c % 3] * other.normal;
+        }
+        return glm::vec3(unit(sum));
+    };
+    std::vector<std::array<glm::vec3, 3>> result(triangles.size());
+    parallelRuns(triangles.size(), kGrain, threads, [&](size_t first, size_t last) {
+        for (size_t t = first; t < last; ++t) {
+            if (wanted[t] == 0) continue;
+            for (size_t k = 0; k < 3; ++k) result[t][k] = normalAt(t, k);
+        }
+    });
+    return result;
+}
+
+}  // namespace sherd
