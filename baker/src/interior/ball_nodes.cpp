@@ -40,8 +40,8 @@ void setLane(BallNodes::Vectors& vectors, size_t lane, const glm::vec3& v) {
     vectors[2].at[lane] = v.z;
 }
 
-BallNodes::Lanes withoutFourth(const glm::vec3& v) {
-    return {{v.x, v.y, v.z, 0}};
+BallNodes::Lanes row(const glm::vec3& v, float fourth) {
+    return {{v.x, v.y, v.z, fourth}};
 }
 
 uint32_t leavesOf(uint32_t triangles) {
@@ -239,7 +239,8 @@ void Builder::takeTriangle(size_t i) {
     const auto [a, b, c] = corners(order_[i].triangle);
     const glm::vec3 ab = b - a, ac = c - a, cross = glm::cross(ab, ac);
     const float cross2 = glm::dot(cross, cross);
-    const bool sliver = !(cross2 > kSliver * glm::dot(ab, ab) * glm::dot(ac, ac));
+    const float ab2 = glm::dot(ab, ab), ac2 = glm::dot(ac, ac);
+    const bool sliver = !(cross2 > kSliver * ab2 * ac2);
     const glm::vec3 middle = order_[i].middle;
     const glm::vec3 ma = a - middle, mb = b - middle, mc = c - middle;
     const float radius2 = std::max({glm::dot(ma, ma), glm::dot(mb, mb), glm::dot(mc, mc)});
@@ -249,7 +250,7 @@ void Builder::takeTriangle(size_t i) {
     leaf.radius.at[lane] = std::sqrt(radius2) * (1 + 1e-5F);
     leaf.offset.at[lane] = glm::dot(normal, a);
     result_.numbers[i] = order_[i].triangle;
-    result_.triangles[i] = {withoutFourth(a), withoutFourth(ab), withoutFourth(ac)};
+    result_.triangles[i] = {row(a, glm::dot(ab, ac)), row(ab, ab2), row(ac, ac2)};
 }
 
 void Builder::takeBeside(size_t i, std::span<const uint32_t> opposite,

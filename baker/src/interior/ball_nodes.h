@@ -34,7 +34,7 @@ struct BallNodes {
         Vectors middle, normal;  ///< normals unit, 0 for slivers
         Lanes radius, offset;    ///< planes are normal.q = offset
     };
-    /// A corner and the sides from it, each with a number that counts for nothing.
+    /// A corner and the sides from it, and as fourth numbers ab.ac, ab.ab and ac.ac.
     struct Triangle {
         Lanes a, ab, ac;
     };

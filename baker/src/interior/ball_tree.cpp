@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "interior/four.h"
 
@@ -25,41 +26,38 @@ constexpr size_t kWidth = BallNodes::kWidth;
 
 struct FourTriangles {
     FourPoints a, ab, ac;
+    Four d01, d00, d11;  ///< ab.ac, ab.ab, ac.ac
 };
 
-/// On a side that starts at a, where p is seen from a.
-FourPoints closestOnSide(const FourPoints& a, const FourPoints& side, const FourPoints& p) {
-    // Of no length: 0 / 0, of which min makes 1.
-    const Four t = xsimd::min(dot(p, side) / dot(side, side), Four(1.0F));
-    return a + side * xsimd::max(t, Four(0.0F));
+/// How far along a side its closest point is, 0..1, given the product of the side with where we are
+/// from its start.
+Four onSide(const Four& along, const Four& length2) {
+    const Four nothing(std::numeric_limits<float>::min());  // instead of 0 / 0
+    return xsimd::max(xsimd::min(along / xsimd::max(length2, nothing), Four(1.0F)), Four(0.0F));
 }
 
-/// As closestOnTriangle of geometry/, in float.
-FourPoints closestPoints(const FourTriangles& triangles, const FourPoints& p) {
-    const auto& [a, ab, ac] = triangles;
-    const FourPoints ap = p - a;
-    const Four d00 = dot(ab, ab), d01 = dot(ab, ac), d11 = dot(ac, ac);
-    const Four d20 = dot(ap, ab), d21 = dot(ap, ac);
+/// As closestOnTriangle of geometry/, in float: from p to the closest points.
+FourPoints towardsClosest(const FourTriangles& triangles, const FourPoints& p) {
+    const auto& [a, ab, ac, d01, d00, d11] = triangles;
+    const FourPoints pa = a - p;
+    const Four zero(0.0F), d20 = zero - dot(pa, ab), d21 = zero - dot(pa, ac);
     const Four area = d00 * d11 - d01 * d01;
     const Four v = d11 * d20 - d01 * d21, w = d00 * d21 - d01 * d20;
-    const Four zero(0.0F);
     const auto inside =
         (v > zero) & (w > zero) & (v + w < area) & (area > Four(kSliver) * d00 * d11);
-    FourPoints best = a + (ab * (v / area) + ac * (w / area));
-    if (xsimd::all(inside)) return best;
-    FourPoints onEdges = closestOnSide(a, ab, ap);
-    FourPoints off = onEdges - p;
-    Four distance = dot(off, off);
-    const auto orOn = [&](const FourPoints& q) {
-        off = q - p;
-        const Four other = dot(off, off);
-        onEdges = select(other < distance, q, onEdges);
-        distance = xsimd::min(other, distance);
+    const FourPoints across = pa + ab * (v / area) + ac * (w / area);
+    if (xsimd::all(inside)) return across;
+    FourPoints best = pa + ab * onSide(d20, d00);
+    Four distance = dot(best, best);
+    const auto orTowards = [&](const FourPoints& other) {
+        const Four otherDistance = dot(other, other);
+        best = select(otherDistance < distance, other, best);
+        distance = xsimd::min(otherDistance, distance);
     };
-    orOn(closestOnSide(a, ac, ap));
-    const FourPoints b = a + ab;
-    orOn(closestOnSide(b, ac - ab, p - b));
-    return select(inside, best, onEdges);
+    orTowards(pa + ac * onSide(d21, d11));
+    const FourPoints pb = pa + ab, bc = ac - ab;
+    orTowards(pb + bc * onSide(zero - dot(pb, bc), dot(bc, bc)));
+    return select(inside, across, best);
 }
 
 }  // namespace
@@ -180,20 +178,20 @@ void BallTree::shrinkByLeaf(Query& query, uint32_t index) const {
 uint32_t BallTree::shrinkBySome(Query& query, const std::array<uint32_t, kWidth>& members) const {
     constexpr int kMaxSteps = 40;
     const auto gathered = [&](BallNodes::Lanes BallNodes::Triangle::*part) {
-        return transposed(
-            {&(nodes_.triangles[members[0]].*part), &(nodes_.triangles[members[1]].*part),
-             &(nodes_.triangles[members[2]].*part), &(nodes_.triangles[members[3]].*part)});
+        const auto& t = nodes_.triangles;
+        return transposed({&(t[members[0]].*part), &(t[members[1]].*part), &(t[members[2]].*part),
+                           &(t[members[3]].*part)});
     };
-    const FourTriangles triangles{gathered(&BallNodes::Triangle::a),
-                                  gathered(&BallNodes::Triangle::ab),
-                                  gathered(&BallNodes::Triangle::ac)};
+    const auto [ax, ay, az, d01] = gathered(&BallNodes::Triangle::a);
+    const auto [bx, by, bz, d00] = gathered(&BallNodes::Triangle::ab);
+    const auto [cx, cy, cz, d11] = gathered(&BallNodes::Triangle::ac);
+    const FourTriangles triangles{{ax, ay, az}, {bx, by, bz}, {cx, cy, cz}, d01, d00, d11};
     const Four sin2(sinHalf_ * sinHalf_), zero(0.0F);
-    const FourPoints p = fourTimes(query.p), n = fourTimes(query.n);
+    const FourPoints n = fourTimes(query.n);
     uint32_t last = kNone;
     for (int step = 0; step < kMaxSteps && !query.isNone(); ++step) {
-        const FourPoints centre = fourTimes(query.centre);
-        const FourPoints q = closestPoints(triangles, centre);
-        const FourPoints fromCentre = q - centre, d = p - q;
+        const FourPoints fromCentre = towardsClosest(triangles, fourTimes(query.centre));
+        const FourPoints d = fourTimes(query.p - query.centre) - fromCentre;
         const Four height = dot(d, n), length2 = dot(d, d);
         const auto touches = (dot(fromCentre, fromCentre) < Four(query.reach2)) & (height > zero) &
                              (height * height >= sin2 * length2);

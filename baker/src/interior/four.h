@@ -61,14 +61,14 @@ inline FourPoints beyond(const FourPoints& d, const FourPoints& extent) {
             xsimd::max(xsimd::abs(d[2]) - extent[2], zero)};
 }
 
-/// The vectors of four rows become their coordinates; fourth numbers fall away.
-inline FourPoints transposed(const std::array<const BallNodes::Lanes*, 4>& rows) {
+/// The numbers of four rows, first with first.
+inline std::array<Four, 4> transposed(const std::array<const BallNodes::Lanes*, 4>& rows) {
     const Four a = loaded(*rows[0]), b = loaded(*rows[1]), c = loaded(*rows[2]),
                d = loaded(*rows[3]);
-    const Four xxyyAC = xsimd::zip_lo(a, c), xxyyBD = xsimd::zip_lo(b, d);
-    const Four zzAC = xsimd::zip_hi(a, c), zzBD = xsimd::zip_hi(b, d);
-    return {xsimd::zip_lo(xxyyAC, xxyyBD), xsimd::zip_hi(xxyyAC, xxyyBD),
-            xsimd::zip_lo(zzAC, zzBD)};
+    const Four xyAC = xsimd::zip_lo(a, c), xyBD = xsimd::zip_lo(b, d);
+    const Four zwAC = xsimd::zip_hi(a, c), zwBD = xsimd::zip_hi(b, d);
+    return {xsimd::zip_lo(xyAC, xyBD), xsimd::zip_hi(xyAC, xyBD), xsimd::zip_lo(zwAC, zwBD),
+            xsimd::zip_hi(zwAC, zwBD)};
 }
 
 }  // namespace sherd
