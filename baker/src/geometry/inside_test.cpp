@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numeric>
 
+#include "geometry/four.h"
 #include "geometry/parallel_for.h"
 #include "geometry/ray_crossing.h"
 
@@ -46,8 +48,21 @@ bool edgesCancel(std::span<const glm::vec3> positions,
     return sum == 0;
 }
 
-glm::vec3 rotated(const glm::vec3& p, int axis) {
-    return {p[(axis + 1) % 3], p[(axis + 2) % 3], p[axis]};
+Lanes rotated(const glm::vec3& p, int axis) {
+    return {{p[(axis + 1) % 3], p[(axis + 2) % 3], p[axis], 0}};
+}
+
+glm::vec3 pointOf(const Lanes& corner) {
+    return {corner.at[0], corner.at[1], corner.at[2]};
+}
+
+/// The largest float that is not above, and the smallest not below.
+float below(double x) {
+    const auto f = static_cast<float>(x);
+    return f > x ? std::nextafter(f, -INFINITY) : f;
+}
+float above(double x) {
+    return -below(-x);
 }
 
 }  // namespace
@@ -57,34 +72,19 @@ InsideTest::Grid::Grid(std::span<const glm::vec3> positions,
     : axis_(axis) {
     triangles_.reserve(triangles.size());
     for (const auto& t : triangles) {
-        triangles_.push_back({{rotated(positions[t[0]], axis), rotated(positions[t[1]], axis),
-                               rotated(positions[t[2]], axis)}});
+        triangles_.push_back({rotated(positions[t[0]], axis), rotated(positions[t[1]], axis),
+                              rotated(positions[t[2]], axis)});
     }
     if (triangles_.empty()) return;
-    low_ = high_ = triangles_[0].corners[0];
+    low_ = high_ = pointOf(triangles_[0][0]);
     for (const Triangle& t : triangles_) {
-        for (const glm::vec3& p : t.corners) {
-            low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
-            high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
+        for (const Lanes& corner : t) {
+            low_ = glm::min(low_, pointOf(corner));
+            high_ = glm::max(high_, pointOf(corner));
         }
     }
     chooseResolution();
-    sort();
     fill();
-}
-
-/// By their first cell: what a ray asks for together lies together.
-void InsideTest::Grid::sort() {
-    const auto first = [this](const Triangle& t) {
-        const Box box = cellsOf(t);
-        return static_cast<size_t>(box.y0) * width_ + box.x0;
-    };
-    std::vector<uint32_t> next(static_cast<size_t>(width_) * height_ + 1, 0);
-    for (const Triangle& t : triangles_) ++next[first(t) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<Triangle> sorted(triangles_.size());
-    for (const Triangle& t : triangles_) sorted[next[first(t)]++] = t;
-    triangles_ = std::move(sorted);
 }
 
 uint32_t InsideTest::Grid::cellX(double x) const {
@@ -98,54 +98,71 @@ uint32_t InsideTest::Grid::cellY(double y) const {
 }
 
 InsideTest::Grid::Box InsideTest::Grid::cellsOf(const Triangle& t) const {
-    const auto& [a, b, c] = t.corners;
-    return {cellX(std::min({a.x, b.x, c.x})), cellX(std::max({a.x, b.x, c.x})),
-            cellY(std::min({a.y, b.y, c.y})), cellY(std::max({a.y, b.y, c.y}))};
+    const auto& [a, b, c] = t;
+    const auto least = [&](size_t k) { return std::min(std::min(a.at[k], b.at[k]), c.at[k]); };
+    const auto most = [&](size_t k) { return std::max(std::max(a.at[k], b.at[k]), c.at[k]); };
+    return {cellX(least(0)), cellX(most(0)), cellY(least(1)), cellY(most(1))};
 }
 
-/// About two cells per triangle, fewer while long triangles would fill more than 8 cells on
-/// average.
+/// About two cells per triangle, fewer if then the triangles would fill more than 12 cells each.
 void InsideTest::Grid::chooseResolution() {
+    constexpr double kCells = 2, kFilled = 8;
     const glm::dvec2 extent(static_cast<double>(high_.x) - low_.x,
                             static_cast<double>(high_.y) - low_.y);
     const double longer = std::max(extent.x, extent.y);
     if (!(longer > 0)) return;
-    const double cells = 2.0 * static_cast<double>(triangles_.size());
+    const auto count = static_cast<double>(triangles_.size());
     const double area = std::max(extent.x / longer, 1e-6) * std::max(extent.y / longer, 1e-6);
-    for (double perSide = std::sqrt(cells / area);; perSide /= 1.25) {
-        const auto count = [&](double e) {
-            return static_cast<uint32_t>(std::clamp(perSide * e / longer, 1.0, 16384.0));
+    // A box of w by h cells lies in (w + 1) (h + 1) of them on average: of perSide, a square.
+    double squares = 0, sides = 0;
+    for (const Triangle& t : triangles_) {
+        const auto size = [&t](size_t k) {
+            const float a = t[0].at[k], b = t[1].at[k], c = t[2].at[k];
+            return double{std::max(std::max(a, b), c)} - double{std::min(std::min(a, b), c)};
         };
-        width_ = count(extent.x);
-        height_ = count(extent.y);
-        cellsPerUnit_ = {extent.x > 0 ? width_ / extent.x : 0,
-                         extent.y > 0 ? height_ / extent.y : 0};
-        uint64_t entries = 0;
-        for (const Triangle& t : triangles_) {
-            const Box box = cellsOf(t);
-            entries += static_cast<uint64_t>(box.x1 - box.x0 + 1) * (box.y1 - box.y0 + 1);
-        }
-        if (entries <= 12 * triangles_.size() || (width_ == 1 && height_ == 1)) return;
+        const double w = size(0) / longer, h = size(1) / longer;
+        squares += w * h;
+        sides += w + h;
     }
+    const double more = (kFilled - 1) * count;
+    const double most = 2 * more / (sides + std::sqrt(sides * sides + 4 * squares * more));
+    const double perSide = std::min(std::sqrt(kCells * count / area), most);
+    const auto cells = [&](double e) {
+        return static_cast<uint32_t>(std::clamp(perSide * e / longer, 1.0, 16384.0));
+    };
+    width_ = cells(extent.x);
+    height_ = cells(extent.y);
+    cellsPerUnit_ = {extent.x > 0 ? width_ / extent.x : 0, extent.y > 0 ? height_ / extent.y : 0};
 }
 
+/// Sorts the triangles by their first cell: what a ray asks for together lies together.
 void InsideTest::Grid::fill() {
-    cellStart_.assign(static_cast<size_t>(width_) * height_ + 1, 0);
-    const auto forEachCell = [&](const Triangle& t, const auto& visit) {
-        const Box box = cellsOf(t);
-        for (uint32_t y = box.y0; y <= box.y1; ++y) {
-            for (uint32_t x = box.x0; x <= box.x1; ++x) visit(static_cast<size_t>(y) * width_ + x);
+    const size_t cells = static_cast<size_t>(width_) * height_;
+    std::vector<Box> boxes;
+    boxes.reserve(triangles_.size());
+    for (const Triangle& t : triangles_) boxes.push_back(cellsOf(t));
+    const auto cellAt = [this](uint32_t x, uint32_t y) { return size_t{y} * width_ + x; };
+    std::vector<uint32_t> next(cells + 1, 0), order(triangles_.size());
+    for (const Box& box : boxes) ++next[cellAt(box.x0, box.y0) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (uint32_t i = 0; i < order.size(); ++i) order[next[cellAt(boxes[i].x0, boxes[i].y0)]++] = i;
+    const auto forEachCell = [&](const auto& visit) {
+        for (uint32_t i = 0; i < order.size(); ++i) {
+            const Box& box = boxes[order[i]];
+            for (uint32_t y = box.y0; y <= box.y1; ++y)
+                for (uint32_t x = box.x0; x <= box.x1; ++x) visit(i, cellAt(x, y));
         }
     };
-    for (const Triangle& t : triangles_) {
-        forEachCell(t, [&](size_t cell) { ++cellStart_[cell + 1]; });
-    }
-    for (size_t i = 1; i < cellStart_.size(); ++i) cellStart_[i] += cellStart_[i - 1];
+    cellStart_.assign(cells + 1, 0);
+    forEachCell([&](uint32_t, size_t cell) { ++cellStart_[cell + 1]; });
+    std::partial_sum(cellStart_.begin(), cellStart_.end(), cellStart_.begin());
     cellTriangles_.resize(cellStart_.back());
-    std::vector<uint32_t> next(cellStart_.begin(), cellStart_.end() - 1);
-    for (uint32_t i = 0; i < triangles_.size(); ++i) {
-        forEachCell(triangles_[i], [&](size_t cell) { cellTriangles_[next[cell]++] = i; });
-    }
+    next.assign(cellStart_.begin(), cellStart_.end() - 1);
+    forEachCell([&](uint32_t i, size_t cell) { cellTriangles_[next[cell]++] = i; });
+    std::vector<Triangle> sorted;
+    sorted.reserve(triangles_.size());
+    for (const uint32_t i : order) sorted.push_back(triangles_[i]);
+    triangles_ = std::move(sorted);
 }
 
 InsideTest::Crossings InsideTest::Grid::crossings(const glm::dvec3& point, bool bothWays) const {
@@ -153,14 +170,19 @@ InsideTest::Crossings InsideTest::Grid::crossings(const glm::dvec3& point, bool 
     Crossings result;
     const bool inRange = q.x >= low_.x && q.x <= high_.x && q.y >= low_.y && q.y <= high_.y;
     if (!inRange || triangles_.empty()) return result;  // also refuses NaN
+    const Lanes least{{below(q.x), below(q.y), bothWays ? -INFINITY : below(q.z), 0}};
+    const Lanes most{{above(q.x), above(q.y), INFINITY, 0}};
     const size_t cell = static_cast<size_t>(cellY(q.y)) * width_ + cellX(q.x);
     for (uint32_t i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
         const Triangle& t = triangles_[cellTriangles_[i]];
-        const auto& [a, b, c] = t.corners;
-        if (!bothWays && a.z < q.z && b.z < q.z && c.z < q.z) continue;
-        const int turn = lineCrossing(t.corners, q);
+        const Four a = loaded(t[0]), b = loaded(t[1]), c = loaded(t[2]);
+        if (xsimd::any((xsimd::max(xsimd::max(a, b), c) < loaded(least)) |
+                       (xsimd::min(xsimd::min(a, b), c) > loaded(most))))
+            continue;
+        const std::array<glm::vec3, 3> corners{pointOf(t[0]), pointOf(t[1]), pointOf(t[2])};
+        const int turn = lineCrossing(corners, q);
         if (turn == 0) continue;
-        if (liesAbove(t.corners, q, turn)) {
+        if (liesAbove(corners, q, turn)) {
             result.up += turn;
         } else {
             result.down -= turn;

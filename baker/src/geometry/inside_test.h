@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "geometry/lanes.h"
+
 namespace sherd {
 
 /// Winding number of points with respect to a triangle surface, decided exactly.
@@ -41,9 +43,7 @@ class InsideTest {
         int up = 0;
         int down = 0;
     };
-    struct Triangle {
-        std::array<glm::vec3, 3> corners;  ///< axes rotated so that rays run along z
-    };
+    using Triangle = std::array<Lanes, 3>;  ///< corners, axes rotated so that rays run along z
 
     /// The triangles projected along one axis, binned in a grid of the other two.
     class Grid {
@@ -54,7 +54,6 @@ class InsideTest {
 
       private:
         void chooseResolution();
-        void sort();
         void fill();
         struct Box {
             uint32_t x0, x1, y0, y1;

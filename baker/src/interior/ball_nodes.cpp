@@ -34,13 +34,13 @@ struct Subtree {
     uint32_t root;
 };
 
-void setLane(BallNodes::Vectors& vectors, size_t lane, const glm::vec3& v) {
+void setLane(LanesOfPoints& vectors, size_t lane, const glm::vec3& v) {
     vectors[0].at[lane] = v.x;
     vectors[1].at[lane] = v.y;
     vectors[2].at[lane] = v.z;
 }
 
-BallNodes::Lanes row(const glm::vec3& v, float fourth) {
+Lanes row(const glm::vec3& v, float fourth) {
     return {{v.x, v.y, v.z, fourth}};
 }
 

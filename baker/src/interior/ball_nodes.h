@@ -8,31 +8,28 @@
 #include <span>
 #include <vector>
 
+#include "geometry/lanes.h"
+
 namespace sherd {
 
 /// The triangles of a mesh in a tree, four children to a node and four triangles to a leaf, laid
 /// out for looking at four at once. Each child also knows the slab of its points.
 struct BallNodes {
     static constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
-    static constexpr uint32_t kWidth = 4;
+    static constexpr uint32_t kWidth = Lanes::kWidth;
     static constexpr uint32_t kLeaf = 1U << 31;  ///< marks leaves among children
-
-    struct alignas(16) Lanes {
-        std::array<float, kWidth> at{};
-    };
-    using Vectors = std::array<Lanes, 3>;  ///< x of all, y of all, z of all
 
     /// What is below. Boxes are centre +- extent; all points of a child have low <= normal.q <=
     /// high.
     struct Node {
-        Vectors centre, extent, normal;
+        LanesOfPoints centre, extent, normal;
         Lanes low, high;
         std::array<uint32_t, kWidth> child;  ///< node, or with kLeaf set a leaf; kNone: no child
     };
     /// Leaf i has triangles 4 i to 4 i + 3: around each a ball, and its plane.
     struct Leaf {
-        Vectors middle, normal;  ///< normals unit, 0 for slivers
-        Lanes radius, offset;    ///< planes are normal.q = offset
+        LanesOfPoints middle, normal;  ///< normals unit, 0 for slivers
+        Lanes radius, offset;          ///< planes are normal.q = offset
     };
     /// A corner and the sides from it, and as fourth numbers ab.ac, ab.ab and ac.ac.
     struct Triangle {

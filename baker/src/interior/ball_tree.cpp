@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "interior/four.h"
+#include "geometry/four.h"
 
 namespace sherd {
 namespace {
@@ -95,7 +95,7 @@ BallTree::BallTree(std::span<const glm::vec3> positions,
 
 /// Of the children in which points may lie in the ball and in the cone of contacts, the squared
 /// distance of their boxes' centres from the ball's; kFar for the others.
-BallNodes::Lanes BallTree::childrenMet(const Query& query, const BallNodes::Node& node) const {
+Lanes BallTree::childrenMet(const Query& query, const BallNodes::Node& node) const {
     const Four reach(query.reach);
     const FourPoints centre = loaded(node.centre), extent = loaded(node.extent);
     const FourPoints fromBall = fourTimes(query.centre) - centre;
@@ -137,7 +137,7 @@ void BallTree::search(Query& query) const {
             continue;
         }
         const BallNodes::Node& node = nodes_.nodes[index];
-        const BallNodes::Lanes distance = childrenMet(query, node);
+        const Lanes distance = childrenMet(query, node);
         // The nearest is looked at first: it lies on top.
         const size_t bottom = depth;
         std::array<float, kWidth> key;
@@ -177,7 +177,7 @@ void BallTree::shrinkByLeaf(Query& query, uint32_t index) const {
 /// Returns the one that shrank the ball last, or kNone.
 uint32_t BallTree::shrinkBySome(Query& query, const std::array<uint32_t, kWidth>& members) const {
     constexpr int kMaxSteps = 40;
-    const auto gathered = [&](BallNodes::Lanes BallNodes::Triangle::*part) {
+    const auto gathered = [&](Lanes BallNodes::Triangle::*part) {
         const auto& t = nodes_.triangles;
         return transposed({&(t[members[0]].*part), &(t[members[1]].*part), &(t[members[2]].*part),
                            &(t[members[3]].*part)});
@@ -196,7 +196,7 @@ uint32_t BallTree::shrinkBySome(Query& query, const std::array<uint32_t, kWidth>
         const auto touches = (dot(fromCentre, fromCentre) < Four(query.reach2)) & (height > zero) &
                              (height * height >= sin2 * length2);
         if (!xsimd::any(touches)) break;
-        const BallNodes::Lanes radii =
+        const Lanes radii =
             stored(xsimd::select(touches, length2 / (Four(2.0F) * height), Four(kFar)));
         const auto least = std::min_element(radii.at.begin(), radii.at.end());
         if (!(*least < query.radius)) break;

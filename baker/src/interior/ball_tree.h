@@ -52,7 +52,7 @@ class BallTree {
     struct Query;
 
     void search(Query& query) const;
-    BallNodes::Lanes childrenMet(const Query& query, const BallNodes::Node& node) const;
+    Lanes childrenMet(const Query& query, const BallNodes::Node& node) const;
     void shrinkByLeaf(Query& query, uint32_t leaf) const;
     uint32_t shrinkBySome(Query& query, const std::array<uint32_t, 4>& triangles) const;
     void follow(Query& query, uint32_t triangle) const;

@@ -5,24 +5,24 @@
 #include <glm/vec3.hpp>
 #include <xsimd/xsimd.hpp>
 
-#include "interior/ball_nodes.h"
+#include "geometry/lanes.h"
 
 namespace sherd {
 
 /// Four numbers or points at once.
-using Four = xsimd::make_sized_batch_t<float, BallNodes::kWidth>;
+using Four = xsimd::make_sized_batch_t<float, Lanes::kWidth>;
 using FourPoints = std::array<Four, 3>;
 
-inline Four loaded(const BallNodes::Lanes& lanes) {
+inline Four loaded(const Lanes& lanes) {
     return Four::load_aligned(lanes.at.data());
 }
 
-inline FourPoints loaded(const BallNodes::Vectors& v) {
+inline FourPoints loaded(const LanesOfPoints& v) {
     return {loaded(v[0]), loaded(v[1]), loaded(v[2])};
 }
 
-inline BallNodes::Lanes stored(const Four& x) {
-    BallNodes::Lanes lanes;
+inline Lanes stored(const Four& x) {
+    Lanes lanes;
     x.store_aligned(lanes.at.data());
     return lanes;
 }
@@ -62,7 +62,7 @@ inline FourPoints beyond(const FourPoints& d, const FourPoints& extent) {
 }
 
 /// The numbers of four rows, first with first.
-inline std::array<Four, 4> transposed(const std::array<const BallNodes::Lanes*, 4>& rows) {
+inline std::array<Four, 4> transposed(const std::array<const Lanes*, 4>& rows) {
     const Four a = loaded(*rows[0]), b = loaded(*rows[1]), c = loaded(*rows[2]),
                d = loaded(*rows[3]);
     const Four xyAC = xsimd::zip_lo(a, c), xyBD = xsimd::zip_lo(b, d);
