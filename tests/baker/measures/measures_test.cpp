@@ -173,6 +173,7 @@ TEST_CASE("coverage of all levels at once agrees with each fragment's own inside
         for (const uint32_t f : fragmentsAtLevel(set, level))
             triangles.push_back(fragmentTriangles(set, f));
         std::vector<TriangleSoup> fragments;
+        fragments.reserve(triangles.size());
         for (const auto& t : triangles) fragments.push_back({set.geometry.positions, t});
         const Coverage each = measureCoverage({solid.positions, solid.triangles}, fragments);
         const LevelCoverage::Level& all = coverage.levels[level];

@@ -20,6 +20,7 @@ const auto kAll = [](uint32_t, uint32_t) { return true; };
 
 std::vector<PolygonCorner> cornersOf(const std::vector<glm::dvec3>& positions) {
     std::vector<PolygonCorner> corners;
+    corners.reserve(positions.size());
     for (const glm::dvec3& p : positions) corners.push_back({p, glm::dvec3(0.0), 0});
     return corners;
 }
