@@ -16,6 +16,7 @@
 #include "interior/hidden_points.h"
 #include "interior/medial.h"
 #include "interior/piece_mending.h"
+#include "interior/point_merging.h"
 #include "interior/shell.h"
 #include "levels/bring_inside.h"
 #include "levels/volume_level.h"
@@ -236,6 +237,10 @@ class Bake {
             SheetRefinement refinement{0.015 * diagonal_, 0.003 * diagonal_};
             refinement.threads = recipe_.threads;
             refineSheet(mesh_, cut_.surface, map, refinement, sheet_);
+            if (closedBy_ != InteriorType::shell) {
+                mergeNearPoints(0.01 * diagonal_, onBorders(cut_.topology, components_, sheet_),
+                                sheet_);
+            }
         }
         snapToFeet(1e-6 * diagonal_, sheet_);
     }

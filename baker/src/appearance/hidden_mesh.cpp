@@ -3,7 +3,26 @@
 
 #include <glm/geometric.hpp>
 
+#include "geometry/triangle.h"
+#include "geometry/union_find.h"
+
 namespace sherd {
+namespace {
+
+/// The sheet's vertices, ends of edges without length put together. Those that only touch, as the
+/// sheets below two sides of a piece may, stay apart: they have normals of their own.
+UnionFind meltedVertices(const HiddenSheet& sheet) {
+    UnionFind vertices(sheet.points.size());
+    for (const HiddenSheet::Triangle& t : sheet.triangles) {
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t a = t.v[k], b = t.v[nextCorner(static_cast<uint32_t>(k))];
+            if (sheet.points[a] == sheet.points[b]) vertices.unite(a, b);
+        }
+    }
+    return vertices;
+}
+
+}  // namespace
 
 HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
                       const Components& components, const HiddenSheet& sheet,
@@ -13,12 +32,15 @@ HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
     result.skinVertices = static_cast<uint32_t>(surface.positions.size());
     result.positions.insert(result.positions.end(), sheet.points.begin(), sheet.points.end());
     result.faces.reserve(faces.size());
+    UnionFind melted = meltedVertices(sheet);
     for (const HiddenFace& face : faces) {
         HiddenMesh::Face out{};
         for (size_t k = 0; k < 3; ++k) {
             const CornerRef ref = face.corners[k];
-            out.v[k] = vertexOf(surface, sheet, ref) + (ref.hidden != 0 ? result.skinVertices : 0);
+            const uint32_t v = vertexOf(surface, sheet, ref);
+            out.v[k] = ref.hidden != 0 ? result.skinVertices + melted.find(v) : v;
         }
+        if (out.v[0] == out.v[1] || out.v[1] == out.v[2] || out.v[2] == out.v[0]) continue;
         // All corners of a face hang from one outer triangle, unless it says another.
         const CornerRef any = face.corners[0];
         const uint32_t above = face.under != kNone ? face.under

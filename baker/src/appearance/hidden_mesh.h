@@ -27,7 +27,9 @@ struct HiddenMesh {
     std::vector<Face> faces;
 };
 
-/// Vertices [0, split vertices) are the split surface's, the sheet's hidden points follow.
+/// Vertices [0, split vertices) are the split surface's, the sheet's hidden points follow. Edges
+/// without length are one vertex, and faces that have one are left out: what lies beside them then
+/// lies side by side.
 HiddenMesh hiddenMesh(const SurfaceMesh& mesh, const SplitSurface& surface,
                       const Components& components, const HiddenSheet& sheet,
                       std::span<const HiddenFace> faces);

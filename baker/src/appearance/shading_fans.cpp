@@ -50,6 +50,13 @@ ShadingFans shadingFans(const HiddenMesh& mesh, std::span<const uint32_t> opposi
         const double length = glm::length(n);
         n = length > 0 ? n / length : glm::dvec3(0.0);
     }
+    // Where a fan bends on and on, a face must not be lit from behind.
+    for (uint32_t c = 0; c < corners; ++c) {
+        if (areas[c / 3] == 0 || glm::dot(normals[c / 3], result.normals[result.ofCorner[c]]) > 0)
+            continue;
+        result.ofCorner[c] = static_cast<uint32_t>(result.normals.size());
+        result.normals.push_back(normals[c / 3]);
+    }
     return result;
 }
 

@@ -24,22 +24,30 @@ struct Sample {
     uint32_t triangle;
 };
 
-/// How far along the ray it leaves the solid through the triangle; 0: it does not. T. Moeller and
-/// B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997); in doubles, so that a ray
-/// through an edge may slip through.
-double wayOut(const glm::dvec3& from, const glm::dvec3& along,
-              const std::array<glm::dvec3, 3>& corners) {
+struct Crossing {
+    double way = 0;    ///< along the ray; 0: there is none
+    bool out = false;  ///< the ray leaves the solid
+    /// What touches hangs together.
+    bool operator<(const Crossing& other) const {
+        return way < other.way || (way == other.way && !out && other.out);
+    }
+};
+
+/// T. Moeller and B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997); in
+/// doubles, so that a ray through an edge may slip through.
+Crossing crossingOf(const glm::dvec3& from, const glm::dvec3& along,
+                    const std::array<glm::dvec3, 3>& corners) {
     const glm::dvec3 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
     const glm::dvec3 p = glm::cross(along, ac);
     const double det = glm::dot(ab, p);
-    if (!(det < 0)) return 0;  // seen from outside, or along its plane
+    if (det == 0) return {};
     const glm::dvec3 s = from - corners[0];
-    const double u = glm::dot(s, p);
-    if (u > 0 || u < det) return 0;
+    const double u = glm::dot(s, p) / det;
+    if (u < 0 || u > 1) return {};
     const glm::dvec3 q = glm::cross(s, ab);
-    const double v = glm::dot(along, q);
-    if (v > 0 || u + v < det) return 0;
-    return glm::dot(ac, q) / det;
+    const double v = glm::dot(along, q) / det;
+    if (v < 0 || u + v > 1) return {};
+    return {std::max(0.0, glm::dot(ac, q) / det), det < 0};
 }
 
 class FragmentThickness {
@@ -94,15 +102,25 @@ class FragmentThickness {
                 length > 0 ? normal / -length : glm::dvec3(0), triangle};
     }
 
+    /// To where the fragment ends: where it overlaps itself, sheets inside it are no end of it.
     double depthAt(const Sample& sample) const {
-        double depth = kMiss;
-        if (sample.inwards == glm::dvec3(0)) return depth;
-        tree_.along(sample.point, sample.inwards, depth, [&](uint32_t triangle, double& limit) {
+        if (sample.inwards == glm::dvec3(0)) return kMiss;
+        std::vector<Crossing> crossings;
+        int deep = 0;
+        tree_.along(sample.point, sample.inwards, kMiss, [&](uint32_t triangle, double&) {
             if (triangle == sample.triangle) return;
-            const double t = wayOut(sample.point, sample.inwards, places(triangle));
-            if (t > 0 && t < limit) limit = depth = t;
+            const Crossing c = crossingOf(sample.point, sample.inwards, places(triangle));
+            if (!(c.way > 0)) return;
+            crossings.push_back(c);
+            deep += c.out ? 1 : -1;
         });
-        return depth;
+        std::sort(crossings.begin(), crossings.end());
+        deep = std::max(deep, 1);
+        for (const Crossing& c : crossings) {
+            deep += c.out ? -1 : 1;
+            if (deep == 0) return c.way;
+        }
+        return kMiss;
     }
 
     std::array<glm::dvec3, 3> places(uint32_t t) const {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "triangle_tree.h"
 
@@ -22,18 +23,39 @@ struct Facet {
     glm::dvec3 normal() const { return glm::cross(b - a, c - a); }
 };
 
-/// Lengths of `along` to the facet if the line leaves through it, by the volumes that the line
-/// spans with its edges.
-double exitAt(const Facet& f, const glm::dvec3& from, const glm::dvec3& along) {
+/// Where a line passes a facet, by the volumes that it spans with its edges.
+struct Passage {
+    double length = kNone;  ///< of `along`; kNone: it does not, or behind `from`
+    int turn = 0;           ///< -1: out of the mesh, 1: into it
+};
+
+Passage passageOf(const Facet& f, const glm::dvec3& from, const glm::dvec3& along) {
     const glm::dvec3 n = f.normal();
     const double speed = glm::dot(n, along);
-    if (!(speed > 0)) return kNone;
+    if (speed == 0) return {};
+    const int turn = speed > 0 ? -1 : 1;
     const glm::dvec3 a = f.a - from, b = f.b - from, c = f.c - from;
-    if (glm::dot(along, glm::cross(a, b)) < 0 || glm::dot(along, glm::cross(b, c)) < 0 ||
-        glm::dot(along, glm::cross(c, a)) < 0)
-        return kNone;
+    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        if (-turn * glm::dot(along, glm::cross(p, q)) < 0) return {};
     const double length = glm::dot(n, a) / speed;
-    return length > 0 ? length : kNone;
+    return length > 0 ? Passage{length, turn} : Passage{};
+}
+
+/// The length after which a line that starts inside is outside for the first time, however often
+/// the mesh overlaps itself on the way.
+double lengthInside(std::vector<Passage>& passages) {
+    // Into comes before out of: what touches hangs together.
+    std::sort(passages.begin(), passages.end(), [](const Passage& x, const Passage& y) {
+        return x.length != y.length ? x.length < y.length : x.turn > y.turn;
+    });
+    int winding = 0;
+    for (const Passage& p : passages) winding -= p.turn;
+    winding = std::max(winding, 1);
+    for (const Passage& p : passages) {
+        winding += p.turn;
+        if (winding == 0) return p.length;
+    }
+    return kNone;
 }
 
 }  // namespace
@@ -64,12 +86,14 @@ double thinnestPart(const std::vector<glm::vec3>& positions,
         }
         const glm::dvec3 from = facet.a + x * (facet.b - facet.a) + y * (facet.c - facet.a);
         const glm::dvec3 inwards = -glm::normalize(facet.normal());
-        double nearest = kNone;
-        tree.forEachAlong(from, inwards, nearest, [&](const std::array<uint32_t, 3>& other) {
-            if (other != triangles[t])
-                nearest = std::min(nearest, exitAt(Facet(positions, other), from, inwards));
+        std::vector<Passage> passages;
+        double farthest = kNone;
+        tree.forEachAlong(from, inwards, farthest, [&](const std::array<uint32_t, 3>& other) {
+            if (other == triangles[t]) return;
+            const Passage passage = passageOf(Facet(positions, other), from, inwards);
+            if (passage.turn != 0) passages.push_back(passage);
         });
-        lengths.push_back(nearest);
+        lengths.push_back(lengthInside(passages));
     }
     std::sort(lengths.begin(), lengths.end());
     const double length = lengths[static_cast<size_t>(share * (points - 1))];

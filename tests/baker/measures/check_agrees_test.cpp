@@ -43,8 +43,8 @@ void compare(const FractureSet& set, const BakedObjectReport& report) {
         CHECK(std::abs(theirs.coverageNone - ours.coverageNone.value()) < 0.005);
         CHECK(std::abs(theirs.coverageDouble - ours.coverageDouble.value()) < 0.005);
         // Two samplings of a tail; measured: within a third on real pieces, mostly.
-        CHECK(theirs.thinnest > 0.4 * ours.thinnest.value());
-        CHECK(theirs.thinnest < 2.5 * ours.thinnest.value());
+        CHECK(theirs.thinnest > 0.33 * ours.thinnest.value());
+        CHECK(theirs.thinnest < 3 * ours.thinnest.value());
         protrusion = std::max(protrusion, ours.protrusion.value());
     }
     CHECK(std::abs(object.protrusion - protrusion) < 1e-6 * report.diagonal);
