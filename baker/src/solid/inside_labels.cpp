@@ -19,10 +19,11 @@ using Tetra = TetraComplex::Tetra;
 class Labeller {
   public:
     Labeller(const TetraComplex& complex, const SplitSurface& before, const Components& pieces)
-        : complex_(complex), before_(before), pieces_(pieces) {
+        : complex_(complex), pieces_(pieces), tree_(before.positions, vertexTriangles(before)) {
         result_.piece.assign(complex.tetras.size(), kNone);
         result_.broken.assign(pieces.leafCount, 0);
         fixed_.assign(complex.tetras.size(), 0);
+        kept_.assign(complex.tetras.size(), 0);
     }
 
     InsideLabels run() {
@@ -30,6 +31,7 @@ class Labeller {
         labelLumps();
         labelBesideEdges();
         labelAtVertices();
+        labelAtFlatCaps();
         labelNearest();
         constexpr int kSweeps = 12;
         for (int sweep = 0; sweep < kSweeps && tighten(); ++sweep) {
@@ -125,6 +127,42 @@ class Labeller {
         }
     }
 
+    /// Where the skin is flat, caps have triangles without width along it, whose middles lie in it
+    /// too: a wall that came there would touch the skin from within.
+    void labelAtFlatCaps() {
+        std::vector<uint32_t> at(complex_.positions.size(), kNone);
+        for (uint32_t v = static_cast<uint32_t>(complex_.skin.positions.size());
+             v < complex_.firstCore; ++v)
+            at[v] = pieceAt(complex_.positions[v]);
+        for (uint32_t t = 0; t < complex_.tetras.size(); ++t) {
+            for (size_t k = 0; k < 3; ++k) {
+                const uint32_t piece = at[complex_.tetras[t].v[k]];
+                if (result_.piece[t] != kNone || piece == kNone) continue;
+                result_.piece[t] = piece;
+                kept_[t] = 1;
+            }
+        }
+    }
+
+    /// The only piece whose skin is there, to rounding.
+    uint32_t pieceAt(const glm::vec3& place) const {
+        const auto reach = static_cast<float>(complex_.rounding);
+        uint32_t piece = kNone;
+        const auto near = [&](const glm::vec3& low, const glm::vec3& high) {
+            for (int k = 0; k < 3; ++k)
+                if (low[k] > place[k] + reach || high[k] < place[k] - reach) return false;
+            return true;
+        };
+        tree_.forEach(near, [&](uint32_t t, const std::array<glm::vec3, 3>& c) {
+            const glm::dvec3 p = place;
+            if (glm::distance(closestOnTriangle(p, c[0], c[1], c[2]), p) > complex_.rounding)
+                return;
+            const uint32_t other = pieces_.leaf[t];
+            piece = piece == kNone || piece == other ? other : kSeveral;
+        });
+        return piece == kSeveral ? kNone : piece;
+    }
+
     uint32_t skinVertexOf(uint32_t t) const {
         for (size_t k = 0; k < 3; ++k)
             if (complex_.onSkin(complex_.tetras[t].v[k])) return complex_.tetras[t].v[k];
@@ -141,13 +179,12 @@ class Labeller {
     }
 
     void labelNearest() {
-        const TriangleBvh tree(before_.positions, vertexTriangles(before_));
         for (uint32_t t = 0; t < complex_.tetras.size(); ++t) {
             if (result_.piece[t] != kNone) continue;
             const Tetra& tetra = complex_.tetras[t];
             glm::dvec3 middle(0.0);
             for (const uint32_t v : tetra.v) middle += 0.25 * at(v);
-            result_.piece[t] = pieces_.leaf[tree.closest(middle).triangle];
+            result_.piece[t] = pieces_.leaf[tree_.closest(middle).triangle];
         }
     }
 
@@ -161,7 +198,7 @@ class Labeller {
     bool tighten() {
         bool changed = false;
         for (uint32_t t = 0; t < complex_.tetras.size(); ++t) {
-            if (fixed_[t] != 0) continue;
+            if (fixed_[t] != 0 || kept_[t] != 0) continue;
             const Tetra& tetra = complex_.tetras[t];
             std::map<uint32_t, double> shares;
             for (size_t k = 0; k < 4; ++k)
@@ -213,9 +250,10 @@ class Labeller {
 
     static constexpr uint32_t kSeveral = kNone - 1;
     const TetraComplex& complex_;
-    const SplitSurface& before_;
     const Components& pieces_;
-    std::vector<uint8_t> fixed_;    ///< per tetrahedron
+    TriangleBvh tree_;
+    std::vector<uint8_t> fixed_;    ///< per tetrahedron: it must stay with its piece
+    std::vector<uint8_t> kept_;     ///< per tetrahedron: only repairs may move it
     std::vector<uint32_t> around_;  ///< per vertex of the skin: its piece, or kSeveral
     InsideLabels result_;
 };

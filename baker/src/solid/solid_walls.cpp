@@ -177,7 +177,8 @@ class WallBuilder {
             if (!triangles) break;
             SolidWall wall{polygon.outline.low, polygon.outline.high, {}};
             for (const auto& t : *triangles) wall.triangles.push_back({v[t[0]], v[t[1]], v[t[2]]});
-            if (crossings.crosses(wall, skeleton_.hubs)) continue;
+            if (crossings.crosses(wall, skeleton_.hubs) || crossings.leaves(wall, skeleton_.hubs))
+                continue;
             walls_.push_back(std::move(wall));
             return;
         }

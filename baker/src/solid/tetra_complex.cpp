@@ -50,6 +50,7 @@ class ComplexBuilder {
             vertex_[v] = static_cast<uint32_t>(result_.positions.size());
             result_.positions.push_back(cut_.positions[v]);
         }
+        result_.firstCore = static_cast<uint32_t>(result_.positions.size());
     }
 
     bool addCell(uint32_t cell, const BuiltPiece& built) {

@@ -26,6 +26,7 @@ struct TetraComplex {
     };
     CutSkin skin;
     std::vector<glm::vec3> positions;  ///< the skin's vertices first
+    uint32_t firstCore = 0;            ///< from here on they are lumps' cores
     std::vector<Tetra> tetras;
     /// Per lump: its core sees all its faces, so that any part of it may go to any piece.
     std::vector<uint8_t> star;

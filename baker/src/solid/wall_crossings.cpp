@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solid/wall_crossings.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 
 #include "solid/crossing.h"
@@ -62,7 +63,22 @@ void forEachCrossing(const TriangleBvh& tree, const Corners& triangle, double de
 WallCrossings::WallCrossings(const SplitSurface& surface)
     : surface_(surface),
       outer_(surface.positions, vertexTriangles(surface)),
+      inside_(surface.positions, vertexTriangles(surface)),
       depth_(kDeep * boundsOf(surface).diagonal()) {}
+
+bool WallCrossings::leaves(const SolidWall& wall, std::span<const glm::vec3> hubs) const {
+    const auto at = [&](const OutlineVertex& v) {
+        return glm::dvec3(v.hub != kNone ? hubs[v.hub] : surface_.positions[v.vertex]);
+    };
+    const auto isOut = [this](const glm::dvec3& p) {
+        return !inside_.inside(p) && outer_.closest(p, depth_).triangle == ClosestPoint::kNone;
+    };
+    return std::any_of(wall.triangles.begin(), wall.triangles.end(), [&](const auto& t) {
+        const glm::dvec3 a = at(t[0]), b = at(t[1]), c = at(t[2]);
+        return isOut((a + b + c) / 3.0) || isOut(0.5 * (a + b)) || isOut(0.5 * (b + c)) ||
+               isOut(0.5 * (c + a));
+    });
+}
 
 bool WallCrossings::crosses(const SolidWall& wall, std::span<const glm::vec3> hubs) const {
     Soup soup;
