@@ -56,6 +56,13 @@ glm::vec3 pointOf(const Lanes& corner) {
     return {corner.at[0], corner.at[1], corner.at[2]};
 }
 
+float least(const std::array<Lanes, 3>& corners, size_t axis) {
+    return std::min(std::min(corners[0].at[axis], corners[1].at[axis]), corners[2].at[axis]);
+}
+float most(const std::array<Lanes, 3>& corners, size_t axis) {
+    return std::max(std::max(corners[0].at[axis], corners[1].at[axis]), corners[2].at[axis]);
+}
+
 /// The largest float that is not above, and the smallest not below.
 float below(double x) {
     const auto f = static_cast<float>(x);
@@ -98,10 +105,7 @@ uint32_t InsideTest::Grid::cellY(double y) const {
 }
 
 InsideTest::Grid::Box InsideTest::Grid::cellsOf(const Triangle& t) const {
-    const auto& [a, b, c] = t;
-    const auto least = [&](size_t k) { return std::min(std::min(a.at[k], b.at[k]), c.at[k]); };
-    const auto most = [&](size_t k) { return std::max(std::max(a.at[k], b.at[k]), c.at[k]); };
-    return {cellX(least(0)), cellX(most(0)), cellY(least(1)), cellY(most(1))};
+    return {cellX(least(t, 0)), cellX(most(t, 0)), cellY(least(t, 1)), cellY(most(t, 1))};
 }
 
 /// About two cells per triangle, fewer if then the triangles would fill more than 12 cells each.
@@ -116,17 +120,14 @@ void InsideTest::Grid::chooseResolution() {
     // A box of w by h cells lies in (w + 1) (h + 1) of them on average: of perSide, a square.
     double squares = 0, sides = 0;
     for (const Triangle& t : triangles_) {
-        const auto size = [&t](size_t k) {
-            const float a = t[0].at[k], b = t[1].at[k], c = t[2].at[k];
-            return double{std::max(std::max(a, b), c)} - double{std::min(std::min(a, b), c)};
-        };
-        const double w = size(0) / longer, h = size(1) / longer;
+        const double w = (double{most(t, 0)} - least(t, 0)) / longer;
+        const double h = (double{most(t, 1)} - least(t, 1)) / longer;
         squares += w * h;
         sides += w + h;
     }
     const double more = (kFilled - 1) * count;
-    const double most = 2 * more / (sides + std::sqrt(sides * sides + 4 * squares * more));
-    const double perSide = std::min(std::sqrt(kCells * count / area), most);
+    const double finest = 2 * more / (sides + std::sqrt(sides * sides + 4 * squares * more));
+    const double perSide = std::min(std::sqrt(kCells * count / area), finest);
     const auto cells = [&](double e) {
         return static_cast<uint32_t>(std::clamp(perSide * e / longer, 1.0, 16384.0));
     };
@@ -170,14 +171,14 @@ InsideTest::Crossings InsideTest::Grid::crossings(const glm::dvec3& point, bool 
     Crossings result;
     const bool inRange = q.x >= low_.x && q.x <= high_.x && q.y >= low_.y && q.y <= high_.y;
     if (!inRange || triangles_.empty()) return result;  // also refuses NaN
-    const Lanes least{{below(q.x), below(q.y), bothWays ? -INFINITY : below(q.z), 0}};
-    const Lanes most{{above(q.x), above(q.y), INFINITY, 0}};
+    const Lanes low{{below(q.x), below(q.y), bothWays ? -INFINITY : below(q.z), 0}};
+    const Lanes high{{above(q.x), above(q.y), INFINITY, 0}};
     const size_t cell = static_cast<size_t>(cellY(q.y)) * width_ + cellX(q.x);
     for (uint32_t i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
         const Triangle& t = triangles_[cellTriangles_[i]];
         const Four a = loaded(t[0]), b = loaded(t[1]), c = loaded(t[2]);
-        if (xsimd::any((xsimd::max(xsimd::max(a, b), c) < loaded(least)) |
-                       (xsimd::min(xsimd::min(a, b), c) > loaded(most))))
+        if (xsimd::any((xsimd::max(xsimd::max(a, b), c) < loaded(low)) |
+                       (xsimd::min(xsimd::min(a, b), c) > loaded(high))))
             continue;
         const std::array<glm::vec3, 3> corners{pointOf(t[0]), pointOf(t[1]), pointOf(t[2])};
         const int turn = lineCrossing(corners, q);
