@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -200,12 +199,7 @@ Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) 
                     arguments.report.string());
     }
     // No other name: a model's own buffers and textures are inputs too.
-    std::string kind = arguments.output.extension().string();
-    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    std::error_code ignored;
-    const bool device = std::filesystem::exists(arguments.output, ignored) &&
-                        !std::filesystem::is_regular_file(arguments.output, ignored);
-    if (kind != ".glb" && !device) {
+    if (!hasKind(arguments.output, ".glb")) {
         return fail(ErrorCode::badArgument, "a bake is written as one .glb; name the output so",
                     arguments.output.string());
     }
@@ -235,6 +229,14 @@ Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& prog
         return tl::unexpected(std::move(error));
     }
     baked->report.source = arguments.model.string();
+    if (arguments.shellThickness && recipe->interior.type != InteriorType::shell &&
+        !recipe->allowOpen) {
+        for (BakedObjectReport& object : baked->report.objects)
+            object.findings.push_back({"shell-unused",
+                                       "a shell's thickness was given, but nothing got a shell: "
+                                       "ask for one with --interior shell",
+                                       "", 1});
+    }
     return baked;
 }
 
@@ -292,7 +294,7 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         ->add_option("--shell-thickness", arguments->shellThickness,
                      "Metres from the surface to the inside of a shell (default 2 % of the "
                      "diagonal); never past the middle of the solid")
-        ->check(CLI::Range(1e-9, 1e9));
+        ->check(inRange(1e-9, 1e9));
     command->add_option("--interior-material", arguments->interiorMaterial,
                         "The model's material for broken faces (default: a neutral grey is added)");
     command->add_flag(

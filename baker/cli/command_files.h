@@ -3,11 +3,13 @@
 
 #include <unistd.h>
 
+#include <cctype>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -49,6 +51,16 @@ inline Result<void> checkWritable(const std::filesystem::path& path) {
         return fail(ErrorCode::fileWrite,
                     "cannot write the file: no permission; choose another place", path.string());
     return {};
+}
+
+/// Whether an output's name ends so, in small letters or capitals. Devices may have any name.
+inline bool hasKind(const std::filesystem::path& path, const std::string& ending) {
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+        return true;
+    std::string kind = path.extension().string();
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return kind == ending;
 }
 
 inline bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {

@@ -249,7 +249,10 @@ class Batch {
         folders_.insert(folders_.end(), missing.rbegin(), missing.rend());
         std::filesystem::create_directories(folder, code);
         if (code || !std::filesystem::is_directory(folder, code))
-            return fail(ErrorCode::fileWrite, "the directory cannot be made; may you write there?",
+            return fail(ErrorCode::fileWrite,
+                        std::filesystem::is_regular_file(folder, code)
+                            ? "this is a file; name a directory for the pieces"
+                            : "the directory cannot be made; may you write there?",
                         folder.string());
         return {};
     }

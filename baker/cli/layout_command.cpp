@@ -49,6 +49,10 @@ Result<void> checkOutput(const LayoutArguments& arguments, const Recipe& recipe)
                     arguments.output);
     }
     if (auto writable = checkWritable(arguments.output); !writable) return writable;
+    if (!hasKind(arguments.output, ".svg")) {
+        return fail(ErrorCode::badArgument, "a template is written as .svg; name the output so",
+                    arguments.output);
+    }
     return arguments.force ? Result<void>() : checkNothingDrawn(arguments.output);
 }
 

@@ -95,7 +95,9 @@ class Reader {
 
     bool wrong(const std::string& pointer, const std::string& what) {
         error_ = {ErrorCode::invalidData,
-                  "\"" + pointer.substr(pointer.rfind('/') + 1) + "\" " + what,
+                  (pointer.empty() ? std::string("the recipe ")
+                                   : "\"" + pointer.substr(pointer.rfind('/') + 1) + "\" ") +
+                      what,
                   file_ + "#" + pointer};
         return false;
     }

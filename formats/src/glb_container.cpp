@@ -24,6 +24,7 @@ void putWord(std::vector<uint8_t>& out, size_t value) {
 }
 
 Result<void> checkHeader(std::span<const uint8_t> bytes, const std::string& name) {
+    if (bytes.empty()) return fail(ErrorCode::malformed, "the file is empty", name);
     if (bytes.size() < 12 || word(bytes, 0) != kMagic)
         return fail(ErrorCode::malformed, "not a GLB file: it does not start with \"glTF\"", name);
     if (word(bytes, 4) != 2)

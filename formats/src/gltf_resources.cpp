@@ -276,6 +276,7 @@ Result<GltfDocument> loadGltfDocument(const std::filesystem::path& path) {
         if (!document) return document;
         return takeInResources(std::move(*document), folder, name);
     }
+    if (bytes->empty()) return fail(ErrorCode::malformed, "the file is empty", name);
     if (path.extension() == ".glb")
         return fail(ErrorCode::malformed, "not a GLB file: it does not start with \"glTF\"", name);
     // Some exporters begin with a byte order mark, which JSON does not allow.

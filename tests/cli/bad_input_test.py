@@ -210,6 +210,20 @@ class BadOutputs(CommandCase):
             self.refuse_bake(self.model, [self.map], 'BadArgument', [report.name, 'overwrite'],
                              ['--report', report])
 
+    def test_an_empty_model_is_called_empty(self):
+        empty = self.write('empty.glb', b'')
+        self.refuse_bake(empty, [self.map], 'Malformed', ['empty.glb', 'the file is empty'])
+
+    def test_a_shell_that_is_no_number_thick_is_refused(self):
+        for thickness in ('nan', '-1', '0', '1e300'):
+            self.refuse_bake(self.model, [self.map], 'Usage', ['not a number from'],
+                             ['--shell-thickness', thickness])
+
+    def test_a_template_of_another_kind_is_refused(self):
+        other = self.write('other.glb', b'precious')
+        self.refuse(['layout', self.model, '-o', other], 'BadArgument', ['other.glb', '.svg'])
+        self.assertEqual(other.read_bytes(), b'precious')
+
     def test_an_output_of_another_kind_is_refused(self):
         for name in ('out.gltf', 'out.OBJ'):
             self.refuse(['bake', self.model, '--map', self.map, '-o', self.dir / name],

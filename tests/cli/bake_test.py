@@ -45,6 +45,11 @@ class Baking(CommandCase):
         self.assertEqual(sorted(p.name for p in self.dir.iterdir()),
                          ['cube.glb', 'map.svg', 'out.glb'])
 
+    def test_a_thickness_without_a_shell_is_told(self):
+        thickness = ('--shell-thickness', '0.1')
+        self.assertIn('note shell-unused', self.bake(*thickness).stdout)
+        self.assertNotIn('shell-unused', self.bake(*thickness, '--interior', 'shell').stdout)
+
     def test_quiet_says_nothing(self):
         result = self.bake('--quiet')
         self.assertEqual(result.stdout + result.stderr, '')

@@ -105,7 +105,7 @@ Result<Density> densityOf(const SurfaceMesh& mesh, const SplitSurface& surface,
 }
 
 Result<GreyImage> readGreyImage(const std::filesystem::path& path) {
-    const Result<std::string> bytes = readMapFile(path, "density picture");
+    const Result<std::string> bytes = readMapFile(path, "picture");
     if (!bytes) return tl::unexpected(bytes.error());
     Result<Picture> picture = decodePicture(
         {reinterpret_cast<const uint8_t*>(bytes->data()), bytes->size()}, path.string());
