@@ -158,3 +158,77 @@ TEST_CASE("a lid that nothing but one circle parts from its body lifts off as a 
     FractureMap map = cracks({0.4}, 0, 3);
     SolidJudge{meshOf(barrel()), drawn(map, "cylindrical:y")}.check(2);
 }
+
+TEST_CASE("lines on the outer skin alone part what is around a hollow, too") {
+    Shape hollow = barrel();
+    Shape inner = sphere({0, 0, 0}, {0.4F, 0.4F, 0.4F}, 6);
+    for (auto& t : inner.triangles) std::swap(t[0], t[1]);
+    hollow.append(inner);
+    Recipe recipe = solidRecipe();
+    const FracturePlan plan = drawn(cracks({0.35, 0.6}, 3, 8), "cylindrical:y");
+    const SurfaceMesh mesh = meshOf(hollow);
+    const Result<BakedObject> baked = bakeObject(mesh, plan, recipe, {});
+    if (!baked) FAIL(baked.error().message);
+    CHECK(baked->report.levels[1].closed == baked->report.levels[1].fragments);
+    const Coverage coverage = coverageOf(mesh, baked->set, 1);
+    CHECK(coverage.none == 0);
+    CHECK(coverage.several == 0);
+    CHECK_FALSE(fellBack(*baked));
+}
+
+TEST_CASE("two bodies that touch in an edge stay apart, each in full pieces") {
+    Shape both = box({0, 0, 0}, {1, 1, 1}, 3);
+    both.append(box({1, 1, 0}, {2, 2, 1}, 3));
+    FractureMap map = cracks({0.37, 0.66}, 3, 9);
+    const SurfaceMesh mesh = meshOf(both);
+    const Result<BakedObject> baked =
+        bakeObject(mesh, drawn(map, "cylindrical:z"), solidRecipe(), {});
+    if (!baked) FAIL(baked.error().message);
+    CHECK(baked->report.levels[1].closed == baked->report.levels[1].fragments);
+    const Coverage coverage = coverageOf(mesh, baked->set, 1);
+    CHECK(coverage.none == 0);
+    CHECK(coverage.several == 0);
+    CHECK_FALSE(fellBack(*baked));
+}
+
+TEST_CASE("an object of another size, or baked by more threads, breaks into the same pieces") {
+    const FracturePlan plan = drawn(cracks({0.3, 0.5, 0.7}, 3, 5), "cylindrical:y");
+    const auto bakeAt = [&](float scale, unsigned threads) {
+        Shape shape = column();
+        for (glm::vec3& p : shape.positions) p *= scale;
+        Recipe recipe = solidRecipe();
+        recipe.threads = threads;
+        Result<BakedObject> baked = bakeObject(meshOf(shape), plan, recipe, {});
+        if (!baked) FAIL(baked.error().message);
+        CHECK_FALSE(fellBack(*baked));
+        return std::move(*baked);
+    };
+    const BakedObject one = bakeAt(1, 1);
+    const BakedObject large = bakeAt(8, 3);
+    CHECK(large.set.geometry.indices == one.set.geometry.indices);
+    REQUIRE(large.set.geometry.positions.size() == one.set.geometry.positions.size());
+    bool same = true;
+    for (size_t i = 0; i < one.set.geometry.positions.size(); ++i)
+        same = same && large.set.geometry.positions[i] == 8.0F * one.set.geometry.positions[i];
+    CHECK(same);
+    for (const float scale : {1e-3F, 1e3F}) {
+        const BakedObject other = bakeAt(scale, 2);
+        CHECK(other.report.levels[1].fragments == one.report.levels[1].fragments);
+        CHECK(other.report.levels[1].volumeShare == doctest::Approx(1).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("pieces of a filled solid can be rough") {
+    Recipe recipe = solidRecipe();
+    recipe.interior.roughness.amplitude = 0.01;
+    recipe.interior.roughness.size = 0.1;
+    const SurfaceMesh mesh = meshOf(column());
+    const Result<BakedObject> baked =
+        bakeObject(mesh, drawn(cracks({0.35, 0.6}, 2, 5), "cylindrical:y"), recipe, {});
+    if (!baked) FAIL(baked.error().message);
+    CHECK_FALSE(fellBack(*baked));
+    CHECK(baked->report.levels[1].closed == baked->report.levels[1].fragments);
+    const Coverage coverage = coverageOf(mesh, baked->set, 1);
+    CHECK(coverage.none == 0);
+    CHECK(coverage.several == 0);
+}
