@@ -163,6 +163,7 @@ class Bake {
         reportCells(cells, report());
         report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
         reportCutting(mesh_, cut_, components_, report());
+        reportShading(mesh_, cut_, report());
         return judgeSeparation(components_, cut_, report());
     }
 

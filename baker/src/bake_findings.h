@@ -36,6 +36,10 @@ void reportCells(const std::vector<CellReport>& cells, BakedObjectReport& report
 
 void reportCutting(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,
                    BakedObjectReport& report);
+
+/// Where cutting changes the light on the surface enough to be seen.
+void reportShading(const SurfaceMesh& mesh, const CutSurface& cut, BakedObjectReport& report);
+
 void reportPieces(const SurfaceMesh& mesh, const std::vector<MergedLeaf>& small,
                   const MendedPieces& pieces, BakedObjectReport& report);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What there is to say of lines and the components they make: help for the artist who drew them.
 #include <algorithm>
+#include <cmath>
 
+#include "appearance/outer_shading.h"
 #include "bake_findings.h"
 #include "message_text.h"
 #include "surface/uv_triangle.h"
@@ -171,6 +173,23 @@ void reportCutting(const SurfaceMesh& mesh, const CutSurface& cut, const Compone
         "no plane leads over the surface to a place; the line follows edges of the mesh",
         cut.alongEdges);
     add(report, "idle-lines", "lines separate nothing", idleLines(mesh, cut, components));
+}
+
+void reportShading(const SurfaceMesh& mesh, const CutSurface& cut, BakedObjectReport& report) {
+    // Of 255 steps of light three: what a normal that turns so far can make of full light.
+    constexpr double kSeen = 3.0 / 255 * 180 / M_PI;
+    const ShadingShift shift = shadingShift(mesh, cut.surface, kSeen);
+    if (shift.triangles == 0) return;
+    BakeFinding finding{"shading", "", "", shift.triangles};
+    finding.message =
+        "triangles over which normals turn far are shaded otherwise once they are cut: normals "
+        "by " +
+        text("%.2g degrees", shift.degrees) + " at most, which is up to " +
+        text("%.0f", std::ceil(255 * std::sin(shift.degrees * M_PI / 180))) +
+        "/255 of full light; use smaller triangles or a sharp edge there";
+    finding.where = "near " + at(shift.place);
+    finding.places.push_back({shift.place, {}, ""});
+    report.findings.push_back(std::move(finding));
 }
 
 void reportPieces(const SurfaceMesh& mesh, const std::vector<MergedLeaf>& small,
