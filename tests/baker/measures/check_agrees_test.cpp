@@ -42,9 +42,10 @@ void compare(const FractureSet& set, const BakedObjectReport& report) {
         CHECK(static_cast<uint64_t>(theirs.selfIntersections) == ours.selfIntersections);
         CHECK(std::abs(theirs.coverageNone - ours.coverageNone.value()) < 0.005);
         CHECK(std::abs(theirs.coverageDouble - ours.coverageDouble.value()) < 0.005);
-        // Two samplings of a tail; measured: within a third on real pieces, mostly.
-        CHECK(theirs.thinnest > 0.33 * ours.thinnest.value());
-        CHECK(theirs.thinnest < 3 * ours.thinnest.value());
+        // Two samplings of a tail; measured: within a third on real pieces, mostly. Pieces that
+        // taper to an edge have a steep one.
+        const double most = std::max(2 * ours.thinnest.value(), 0.01 * report.diagonal);
+        CHECK(std::abs(theirs.thinnest - ours.thinnest.value()) < most);
         protrusion = std::max(protrusion, ours.protrusion.value());
     }
     CHECK(std::abs(object.protrusion - protrusion) < 1e-6 * report.diagonal);
