@@ -5,27 +5,15 @@
 #include <limits>
 #include <numeric>
 #include <span>
-#include <thread>
 
+#include "geometry/bounds.h"
+#include "geometry/parallel_for.h"
 #include "physics/bonds.h"
 #include "physics/convex_hull.h"
 #include "physics/mass_properties.h"
 
 namespace sherd {
 namespace {
-
-/// Calls work(i) for i below n on at most `threads` threads; each i is independent of the others.
-template <class Work>
-void parallelFor(size_t n, unsigned threads, Work&& work) {
-    std::vector<std::thread> pool;
-    const size_t workers = std::clamp<size_t>(threads, 1, std::max<size_t>(n, 1));
-    const auto run = [&](size_t worker) {
-        for (size_t i = worker; i < n; i += workers) work(i);
-    };
-    for (size_t w = 1; w < workers; ++w) pool.emplace_back(run, w);
-    run(0);
-    for (std::thread& t : pool) t.join();
-}
 
 std::vector<glm::vec3> usedPositions(const FractureSet& set, uint32_t fragment) {
     std::vector<uint32_t> used;
@@ -41,13 +29,9 @@ std::vector<glm::vec3> usedPositions(const FractureSet& set, uint32_t fragment) 
 
 /// The inertia of the box around the points, its mass spread evenly.
 glm::dmat3 boxInertia(std::span<const glm::vec3> points, double volume) {
-    glm::dvec3 low(points[0]);
-    glm::dvec3 high(points[0]);
-    for (const glm::vec3& p : points) {
-        low = glm::min(low, glm::dvec3(p));
-        high = glm::max(high, glm::dvec3(p));
-    }
-    const glm::dvec3 s = (high - low) * (high - low) * (volume / 12);
+    Bounds box;
+    for (const glm::vec3& p : points) box.add(glm::dvec3(p));
+    const glm::dvec3 s = box.size() * box.size() * (volume / 12);
     glm::dmat3 inertia(0.0);
     inertia[0][0] = s.y + s.z;
     inertia[1][1] = s.x + s.z;
@@ -90,7 +74,7 @@ uint32_t assembleMasses(const Hierarchy& hierarchy, unsigned threads, FractureSe
     const size_t leafCount = hierarchy.leafOrder.size();
     std::vector<MassProperties> leaves(leafCount);
     std::vector<uint8_t> boxed(leafCount, 0);
-    parallelFor(leafCount, threads, [&](size_t rank) {
+    parallelRuns(leafCount, 1, threads, [&](size_t rank, size_t) {
         const uint32_t fragment = hierarchy.fragmentOfRank[rank];
         leaves[rank] = massProperties(set.geometry.positions, fragmentTriangles(set, fragment));
         if (isPhysical(leaves[rank])) return;
@@ -126,7 +110,7 @@ uint32_t assembleMasses(const Hierarchy& hierarchy, unsigned threads, FractureSe
 void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSet& set) {
     std::vector<ColliderHull> hulls(set.fragments.size());
     const HullOptions options{settings.hullVertices, static_cast<float>(settings.hullMargin)};
-    parallelFor(hulls.size(), threads, [&](size_t f) {
+    parallelRuns(hulls.size(), 1, threads, [&](size_t f, size_t) {
         hulls[f] = colliderHull(usedPositions(set, static_cast<uint32_t>(f)), options);
     });
     for (size_t f = 0; f < hulls.size(); ++f) {

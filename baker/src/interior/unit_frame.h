@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "geometry/bounds.h"
 #include "sherd/baker/surface_mesh.h"
 
 namespace sherd {
@@ -18,18 +19,10 @@ struct UnitFrame {
     double diagonal = 0;  ///< of the bounding box, in units
 
     explicit UnitFrame(const SurfaceMesh& mesh) {
-        glm::dvec3 low(0), high(0);
-        bool first = true;
-        for (const auto& t : mesh.triangles) {
-            for (const uint32_t v : t) {
-                const glm::dvec3 p(mesh.positions[v]);
-                low = first ? p : glm::min(low, p);
-                high = first ? p : glm::max(high, p);
-                first = false;
-            }
-        }
-        const glm::dvec3 size = high - low;
-        centre = low + size / 2.0;
+        const Bounds box = boundsOf(mesh.positions, mesh.triangles);
+        if (box.empty()) return;
+        const glm::dvec3 size = box.size();
+        centre = box.low + size / 2.0;
         std::frexp(std::max({size.x, size.y, size.z}), &exponent);
         diagonal = std::ldexp(glm::length(size), -exponent);
     }

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <thread>
 #include <tuple>
 #include <utility>
 
+#include "geometry/parallel_for.h"
 #include "geometry/triangle_bvh.h"
 #include "geometry/weld.h"
 
@@ -86,16 +86,9 @@ class BondFinder {
         if (free.empty() || !(options.sheetTolerance > 0)) return;
         const TriangleBvh bvh(positions_, corners);
         std::vector<ClosestPoint> partners(free.size());
-        const size_t workers =
-            std::clamp<size_t>(free.size() / 4096, 1, std::max(options.threads, 1U));
-        std::vector<std::thread> others;
-        const auto run = [&](size_t w) {
-            findPartners(bvh, options.sheetTolerance, free, w * free.size() / workers,
-                         (w + 1) * free.size() / workers, partners);
-        };
-        for (size_t w = 1; w < workers; ++w) others.emplace_back(run, w);
-        run(0);
-        for (std::thread& other : others) other.join();
+        parallelRuns(free.size(), 4096, options.threads, [&](size_t first, size_t last) {
+            findPartners(bvh, options.sheetTolerance, free, first, last, partners);
+        });
         for (size_t i = 0; i < free.size(); ++i) {
             if (partners[i].triangle == ClosestPoint::kNone) continue;
             add(free[i], triangles_[free[partners[i].triangle]].leaf, 0.5,

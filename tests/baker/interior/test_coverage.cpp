@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "interior/coverage.h"
 #include "interior/shapes.h"
+#include "support/coverage.h"
 
 using namespace sherd;
 using namespace sherd::test;

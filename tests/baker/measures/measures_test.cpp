@@ -6,13 +6,13 @@
 #include <set>
 
 #include "geometry/triangle_crossing.h"
-#include "interior/coverage.h"
 #include "interior/shapes.h"
 #include "measures/hidden_area.h"
 #include "measures/level_coverage.h"
 #include "measures/measures.h"
 #include "measures/self_intersections.h"
 #include "measures/thickness.h"
+#include "support/coverage.h"
 #include "support/fractured_cube.h"
 
 using namespace sherd;

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "interior/coverage.h"
 #include "interior/shapes.h"
 #include "sherd/baker/bake.h"
 #include "sherd/formats/fracture_set.h"
 #include "support/baked_file.h"
+#include "support/coverage.h"
 
 namespace sherd::test {
 

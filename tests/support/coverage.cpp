@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "interior/coverage.h"
+#include "support/coverage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <random>
-#include <thread>
 #include <vector>
 
 #include "geometry/inside_test.h"
+#include "geometry/parallel_for.h"
 #include "geometry/triangle_bvh.h"
 
 namespace sherd {
@@ -52,18 +52,6 @@ std::vector<glm::vec3> samplesInside(const TriangleSoup& object, const CoverageO
     return samples;
 }
 
-/// Calls run(i) for i in [0, count), i dealt out in turn to the threads.
-void forEachParallel(size_t count, unsigned threads, const auto& run) {
-    const size_t workers = std::clamp<size_t>(threads, 1, std::max<size_t>(count, 1));
-    const auto work = [&](size_t first) {
-        for (size_t i = first; i < count; i += workers) run(i);
-    };
-    std::vector<std::thread> others;
-    for (size_t w = 1; w < workers; ++w) others.emplace_back(work, w);
-    work(0);
-    for (std::thread& other : others) other.join();
-}
-
 /// Whether any fragment has a face within `skin` of the point.
 class SkinTest {
   public:
@@ -100,7 +88,7 @@ Coverage measureCoverage(const TriangleSoup& object, std::span<const TriangleSou
     const std::vector<glm::vec3> samples = samplesInside(object, options);
     // in[f]: the samples inside fragment f.
     std::vector<std::vector<uint32_t>> in(fragments.size());
-    forEachParallel(fragments.size(), options.threads, [&](size_t f) {
+    parallelRuns(fragments.size(), 1, options.threads, [&](size_t f, size_t) {
         const Box box(fragments[f]);
         const InsideTest inside(fragments[f].positions, fragments[f].triangles);
         for (uint32_t i = 0; i < samples.size(); ++i) {
