@@ -125,8 +125,10 @@ void addLevelOptions(CLI::App& command, const std::string& drawingOption,
         command
             .add_option("--cut", arguments.cuts,
                         "A level that cuts every piece of the one before through its volume: "
-                        "voronoi:N[:SEED], grid:N, slices:NxMxK or wood:N, with options below; "
-                        "behind all levels of lines")
+                        "voronoi:N[:SEED], grid:N, slices:NxMxK, wood:N, points:X,Y,Z;..., "
+                        "bricks:NxMxK or glass:NxM, and :larger=SHARE, :smaller=SHARE, "
+                        ":near=X,Y,Z, :within=METRES or :name=NAME to choose pieces; behind all "
+                        "levels of lines")
             ->allow_extra_args(false);
     command.add_option("--recipe", arguments.recipe,
                        "Levels and settings as JSON; its levels win over " + drawingOption +

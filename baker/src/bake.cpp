@@ -246,14 +246,29 @@ class Bake {
         snapToFeet(1e-6 * diagonal_, sheet_);
     }
 
+    /// Drawn pieces with a name, before they are cut further.
+    std::vector<PieceName> namedPieces() const {
+        std::vector<PieceName> names;
+        std::vector<BakeFinding> toldLater;
+        for (const PlacedLabel& placed :
+             placeLabels(mesh_, cut_, plan_, recipe_.snapShare * diagonal_, toldLater)) {
+            const uint32_t leaf = components_.leaf[placed.triangle];
+            if (!placed.label->name.empty())
+                names.push_back(
+                    {placed.level, components_.at(placed.level, leaf), placed.label->name});
+        }
+        return names;
+    }
+
     /// Levels behind those of lines.
     Result<void> cutVolumes() {
         if (plan_.cuts.empty()) return {};
         const StageTimer timer = stage("cutting volumes", 0.72);
         const bool drawn = components_.levels > 0;
+        const std::vector<PieceName> names = namedPieces();
         for (const VolumeCut& cut : plan_.cuts) {
             const PieceModel model{mesh_, cut_.surface, components_, hidden_};
-            if (auto ok = cutLevel(cut, recipe_.threads, model, report()); !ok) return ok;
+            if (auto ok = cutLevel(cut, recipe_.threads, names, model, report()); !ok) return ok;
         }
         const uint32_t outside =
             drawn && !open_ ? bringInside(mesh_, 1e-6 * diagonal_, hidden_) : 0;

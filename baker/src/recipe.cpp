@@ -93,6 +93,8 @@ class Reader {
         };
     }
 
+    std::string place(const std::string& pointer) const { return file_ + "#" + pointer; }
+
     bool wrong(const std::string& pointer, const std::string& what) {
         error_ = {ErrorCode::invalidData,
                   (pointer.empty() ? std::string("the recipe ")
@@ -145,6 +147,7 @@ bool readLevels(Reader& reader, const Json& json, const std::string& pointer, Re
             Result<VolumeCut> parsed = parseVolumeCut(cut);
             if (!parsed) return reader.wrong(here + "/cut", ": " + parsed.error().message);
             level.cut = std::move(*parsed);
+            level.cut->where = reader.place(here + "/cut");
         }
         if (!projection.empty()) {
             const Result<Projection> parsed = parseProjection(projection);

@@ -50,6 +50,20 @@ class Baking(CommandCase):
         self.assertIn('note shell-unused', self.bake(*thickness).stdout)
         self.assertNotIn('shell-unused', self.bake(*thickness, '--interior', 'shell').stdout)
 
+    def test_cuts_through_the_volume_need_no_drawing(self):
+        self.succeed('bake', self.model, '-o', self.out, '--cut', 'voronoi:5', '--cut',
+                     'slices:2x1x1:larger=0.1')
+        self.assertTrue(self.succeed('check', self.out).stdout.endswith('check passed\n'))
+        self.bake('--cut', 'voronoi:3')
+        self.assertTrue(self.succeed('check', self.out).stdout.endswith('check passed\n'))
+        wrong = self.run_bake('bake', self.model, '-o', self.out, '--cut', 'voronoy:5')
+        self.assertEqual(wrong.returncode, EXIT['BadArgument'])
+        self.assertIn('voronoi:N', wrong.stderr)
+        late = self.run_bake('bake', self.model, '-o', self.out, '--cut', 'voronoi:5', '--map',
+                             self.map)
+        self.assertEqual(late.returncode, EXIT['BadArgument'])
+        self.assertIn('before', late.stderr)
+
     def test_quiet_says_nothing(self):
         result = self.bake('--quiet')
         self.assertEqual(result.stdout + result.stderr, '')

@@ -50,8 +50,9 @@ std::vector<PlacedLabel> placeLabels(const SurfaceMesh& mesh, const CutSurface& 
     for (const FractureMap::Label* label : labels) {
         const std::optional<SurfacePoint> point = finder.find(label->place);
         if (point && point->distance <= snapDistance)
-            placed.push_back({label, point->triangle,
-                              label->level == 0 ? kNone : cut.lines.closedUp(label->level)});
+            placed.push_back(
+                {label, point->triangle,
+                 label->level == 0 ? cut.lines.levels() : cut.lines.closedUp(label->level)});
         else
             findings.push_back({"label", "a label lies on no component; move it onto the surface",
                                 label->source, 1});

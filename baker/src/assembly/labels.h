@@ -15,7 +15,7 @@ namespace sherd {
 struct PlacedLabel {
     const FractureMap::Label* label = nullptr;
     uint32_t triangle = 0;
-    uint32_t level = kNone;  ///< of the fragment meant, as levels are closed up; kNone: the deepest
+    uint32_t level = 0;  ///< of the fragment meant, as levels are closed up
 };
 
 /// Finds the labels of a plan's drawings on the surface; those farther than `snapDistance` metres

@@ -57,20 +57,26 @@ LeafMesh leafMesh(const PieceModel& model, const std::vector<uint32_t>& places,
 LeafCut cutLeaf(LeafMesh mesh, const VolumeCut& cut, uint64_t seed, const CutGrid& grid) {
     LeafCut result;
     result.mesh = std::move(mesh);
-    Result<CellFunctions> cells =
+    Result<PieceCells> cells =
         pieceCells(cut, seed, result.mesh.positions, result.mesh.triangles, grid);
     if (!cells) {
         result.refusal = cells.error();
         return result;
     }
+    std::vector<uint32_t> groups = cells->groups;
+    std::sort(groups.begin(), groups.end());
+    result.cells =
+        groups.empty()
+            ? cells->functions.count()
+            : static_cast<uint32_t>(std::unique(groups.begin(), groups.end()) - groups.begin());
     Result<MeshCut> done =
-        cutMesh(result.mesh.positions, result.mesh.triangles, grid, std::move(*cells));
+        cutMesh(result.mesh.positions, result.mesh.triangles, grid, std::move(cells->functions));
     if (!done) {
         result.refusal = done.error();
         return result;
     }
     result.cut = std::move(*done);
-    result.pieces = assemblePieces(result.cut);
+    result.pieces = assemblePieces(result.cut, {.groups = cells->groups});
     return result;
 }
 

@@ -35,6 +35,7 @@ struct LeafCut {
     LeafMesh mesh;
     MeshCut cut;
     CutPieces pieces;
+    uint32_t cells = 0;            ///< that there would be pieces of, were they all filled
     std::optional<Error> refusal;  ///< it stays whole; pieces are empty
 
     bool divided() const { return pieces.pieces.size() > 1; }

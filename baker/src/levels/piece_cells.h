@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/vec3.hpp>
 #include <span>
+#include <vector>
 
 #include "sherd/baker/volume_cut.h"
 #include "volume/cell_family.h"
@@ -11,11 +12,16 @@
 
 namespace sherd {
 
-/// The cells that a cut makes of one piece, a closed mesh. `around` of the cut is in the mesh's
+struct PieceCells {
+    CellFunctions functions;
+    std::vector<uint32_t> groups;  ///< per cell; those of one number are one piece; empty: each is
+};
+
+/// The cells that a cut makes of one piece, a closed mesh. Places of the cut are in the mesh's
 /// frame here. The same seed gives the same cells. Errors: badArgument, limitExceeded.
-Result<CellFunctions> pieceCells(const VolumeCut& cut, uint64_t seed,
-                                 std::span<const glm::vec3> positions,
-                                 std::span<const std::array<uint32_t, 3>> triangles,
-                                 const CutGrid& grid);
+Result<PieceCells> pieceCells(const VolumeCut& cut, uint64_t seed,
+                              std::span<const glm::vec3> positions,
+                              std::span<const std::array<uint32_t, 3>> triangles,
+                              const CutGrid& grid);
 
 }  // namespace sherd

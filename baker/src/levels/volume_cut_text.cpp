@@ -29,6 +29,10 @@ class CutReader {
             }
             ++next;
         }
+        if (cut_.kind == VolumeCut::Kind::points && cut_.points.size() < 2) {
+            stop("needs at least two points, X,Y,Z;X,Y,Z");
+            return tl::unexpected(error_);
+        }
         for (; next < parts_.size(); ++next)
             if (!readOption(parts_[next])) return tl::unexpected(error_);
         return cut_;
@@ -42,37 +46,55 @@ class CutReader {
 
     bool readKind() {
         using Kind = VolumeCut::Kind;
-        static const std::map<std::string_view, Kind> kinds = {{"voronoi", Kind::voronoi},
-                                                               {"grid", Kind::grid},
-                                                               {"slices", Kind::slices},
-                                                               {"wood", Kind::wood}};
+        static const std::map<std::string_view, Kind> kinds = {
+            {"voronoi", Kind::voronoi}, {"grid", Kind::grid},     {"slices", Kind::slices},
+            {"wood", Kind::wood},       {"points", Kind::points}, {"bricks", Kind::bricks},
+            {"glass", Kind::glass}};
         const auto it = kinds.find(parts_[0]);
         if (it == kinds.end())
             return stop("there is no cut " + quoted(parts_[0]) +
-                        "; known are voronoi:N, grid:N, slices:NxMxK and wood:N");
+                        "; known are voronoi:N, grid:N, slices:NxMxK, wood:N, points:X,Y,Z;..., "
+                        "bricks:NxMxK and glass:NxM");
         cut_.kind = it->second;
-        if (cut_.kind == Kind::slices) cut_.jitter = 0;
+        if (cut_.kind == Kind::slices || cut_.kind == Kind::bricks) cut_.jitter = 0;
         return true;
     }
 
     bool readCounts() {
+        using Kind = VolumeCut::Kind;
         const std::string_view text = parts_.size() > 1 ? parts_[1] : std::string_view();
-        if (cut_.kind != VolumeCut::Kind::slices) {
-            if (readNumber(text, cut_.count) && cut_.count >= 1 && cut_.count <= kMostCells)
-                return true;
-            return stop(quoted(text) + " is not a number of cells from 1 to " +
-                        std::to_string(kMostCells));
+        switch (cut_.kind) {
+            case Kind::voronoi:
+            case Kind::grid:
+            case Kind::wood:
+                if (readNumber(text, cut_.count) && cut_.count >= 1 && cut_.count <= kMostCells)
+                    return true;
+                return stop(quoted(text) + " is not a number of cells from 1 to " +
+                            std::to_string(kMostCells));
+            case Kind::points:
+                return readPlaces("", text, cut_.points);
+            case Kind::slices:
+                return readSlabs(text, 3, "NxMxK, slabs along x, y and z");
+            case Kind::bricks:
+                return readSlabs(text, 3, "NxMxK, bricks in a row, rows, and bricks deep");
+            case Kind::glass:
+                cut_.slabs[2] = 1;
+                return readSlabs(text, 2, "NxM, sectors and rings");
         }
+        return false;
+    }
+
+    bool readSlabs(std::string_view text, size_t count, const char* what) {
         const std::vector<std::string_view> sides = split(text, 'x');
-        bool fine = sides.size() == 3;
+        bool fine = sides.size() == count;
         uint64_t cells = 1;
-        for (size_t k = 0; k < 3 && fine; ++k) {
+        for (size_t k = 0; k < count && fine; ++k) {
             fine = readNumber(sides[k], cut_.slabs[k]) && cut_.slabs[k] >= 1 &&
                    cut_.slabs[k] <= kMostSlabs;
             cells *= cut_.slabs[k];
         }
         if (!fine)
-            return stop(quoted(text) + " is not NxMxK, slabs along x, y and z, each from 1 to " +
+            return stop(quoted(text) + " is not " + what + ", each from 1 to " +
                         std::to_string(kMostSlabs));
         if (cells <= kMostCells) return true;
         return stop(quoted(text) + " makes more than " + std::to_string(kMostCells) + " cells");
@@ -92,7 +114,7 @@ class CutReader {
         std::map<std::string_view, std::function<bool()>> known;
         switch (cut_.kind) {
             case Kind::voronoi:
-                known["around"] = [&] { return readPlaces(value); };
+                known["around"] = [&] { return readPlaces("around=", value, cut_.around); };
                 known["spread"] = share(1e-6, 10, cut_.spread);
                 known["stretch"] = [&] { return readStretch(value); };
                 break;
@@ -108,7 +130,23 @@ class CutReader {
                 known["axis"] = [&] { return readAxis(value); };
                 known["elongation"] = share(1, 64, cut_.elongation);
                 break;
+            case Kind::points:
+                break;
+            case Kind::bricks:
+                known["axis"] = [&] { return readAxis(value); };
+                known["jitter"] = share(0, 1, cut_.jitter);
+                break;
+            case Kind::glass:
+                known["at"] = [&] { return readCentre(value); };
+                known["axis"] = [&] { return readAxis(value); };
+                known["jitter"] = share(0, 1, cut_.jitter);
+                break;
         }
+        known["larger"] = share(0, 1, cut_.only.larger);
+        known["smaller"] = share(0, 1, cut_.only.smaller);
+        known["near"] = [&] { return readPlaces("near=", value, cut_.only.near); };
+        known["within"] = share(0, 1e9, cut_.only.within);
+        known["name"] = [&] { return readName(value); };
         if (const auto it = known.find(key); it != known.end()) return it->second();
         std::string names;
         for (const auto& [name, read] : known) {
@@ -125,14 +163,27 @@ class CutReader {
         what << key << '=' << value << " is not a number from " << low << " to " << high;
         return stop(what.str());
     }
-    bool readPlaces(std::string_view value) {
+    bool readPlaces(const std::string& key, std::string_view value,
+                    std::vector<glm::dvec3>& places) {
         for (const std::string_view place : split(value, ';')) {
             glm::dvec3 point;
             if (!readVector(place, point))
-                return stop("around=" + std::string(value) + " is not X,Y,Z[;X,Y,Z]...");
-            cut_.around.push_back(point);
+                return stop(quoted(key + std::string(value)) + " is not " + key +
+                            "X,Y,Z[;X,Y,Z]...");
+            places.push_back(point);
         }
+        return places.size() <= kMostCells ||
+               stop("there can be " + std::to_string(kMostCells) + " points at most");
+    }
+    bool readCentre(std::string_view value) {
+        glm::dvec3 point;
+        if (!readVector(value, point)) return stop("at=" + std::string(value) + " is not X,Y,Z");
+        cut_.centre = point;
         return true;
+    }
+    bool readName(std::string_view value) {
+        cut_.only.name = value;
+        return !value.empty() || stop("name= is the name of a piece, as a label says it");
     }
     bool readStretch(std::string_view value) {
         const bool fine = readVector(value, cut_.stretch) && inRange(cut_.stretch.x) &&

@@ -16,17 +16,23 @@ namespace {
 
 /// A scene's places in the object's frame, as its pieces are.
 VolumeCut inObjectFrame(VolumeCut cut, const SurfaceMesh& mesh) {
-    for (glm::dvec3& p : cut.around) p = toObjectFrame(mesh.restPose, p);
+    for (std::vector<glm::dvec3>* places : {&cut.around, &cut.points, &cut.only.near})
+        for (glm::dvec3& p : *places) p = toObjectFrame(mesh.restPose, p);
+    if (cut.centre) cut.centre = toObjectFrame(mesh.restPose, *cut.centre);
     return cut;
 }
 
-std::vector<LeafCut> cutLeaves(const VolumeCut& cut, unsigned threads, const CutGrid& grid,
-                               const PieceModel& model) {
+Result<std::vector<LeafCut>> cutLeaves(const VolumeCut& cut, unsigned threads,
+                                       const std::vector<PieceName>& names, const CutGrid& grid,
+                                       const PieceModel& model) {
     const std::vector<std::vector<uint32_t>> faces = facesOfLeaves(model);
+    const Result<std::vector<uint8_t>> chosen = chooseLeaves(cut.only, model, names, faces);
+    if (!chosen) return tl::unexpected(chosen.error());
     const std::vector<uint32_t> places = placesOf(model);
     std::vector<LeafCut> cuts(faces.size());
     parallelRuns(faces.size(), 1, threads, [&](size_t first, size_t last) {
         for (size_t leaf = first; leaf < last; ++leaf) {
+            if ((*chosen)[leaf] == 0) continue;
             // Seeds of neighbours are far apart.
             const uint64_t seed = cut.seed + leaf * 0x9E3779B97F4A7C15ULL;
             cuts[leaf] = cutLeaf(leafMesh(model, places, faces[leaf]), cut, seed, grid);
@@ -58,11 +64,15 @@ class CutSummary {
                 if (!first) first = leaf.refusal;
                 continue;
             }
+            if (leaf.cut.skinStart.empty()) {
+                ++others;
+                continue;
+            }
             const MeshCut::Report& report = leaf.cut.report;
             const auto made = static_cast<uint32_t>(leaf.pieces.pieces.size());
             pieces += std::max(made, 1U);
             divided += leaf.divided() ? 1 : 0;
-            cells += leaf.cut.cells();
+            cells += leaf.cells;
             slivers += leaf.pieces.slivers;
             moved += report.movedPlanes;
             opposed += report.opposedPlanes;
@@ -70,7 +80,7 @@ class CutSummary {
             for (const PieceMesh& piece : leaf.pieces.pieces) lumps += piece.lumps > 1 ? 1 : 0;
         }
         empty = cells - std::min(cells, pieces + slivers);
-        pieces += refused;
+        pieces += refused + others;
     }
 
     void tell(const VolumeCut& cut, BakedObjectReport& report) const {
@@ -93,20 +103,23 @@ class CutSummary {
         }
     }
 
-    uint32_t pieces = 0, divided = 0, refused = 0, cells = 0, empty = 0, slivers = 0, lumps = 0,
-             moved = 0, opposed = 0, fans = 0;
+    uint32_t pieces = 0, divided = 0, refused = 0, others = 0, cells = 0, empty = 0, slivers = 0,
+             lumps = 0, moved = 0, opposed = 0, fans = 0;
     std::optional<Error> first;
 };
 
 }  // namespace
 
-Result<void> cutLevel(const VolumeCut& cut, unsigned threads, const PieceModel& model,
-                      BakedObjectReport& report) {
-    const std::string where = "mesh \"" + model.mesh.name + "\", cut \"" + cut.text + "\"";
+Result<void> cutLevel(const VolumeCut& cut, unsigned threads, const std::vector<PieceName>& names,
+                      const PieceModel& model, BakedObjectReport& report) {
+    std::string where = "mesh \"" + model.mesh.name + "\", cut \"" + cut.text + "\"";
+    if (!cut.where.empty()) where += ", " + cut.where;
     const Result<CutGrid> grid = CutGrid::around(model.mesh.positions, model.mesh.triangles);
     if (!grid) return tl::unexpected(grid.error());
-    const std::vector<LeafCut> cuts =
-        cutLeaves(inObjectFrame(cut, model.mesh), threads, *grid, model);
+    const Result<std::vector<LeafCut>> done =
+        cutLeaves(inObjectFrame(cut, model.mesh), threads, names, *grid, model);
+    if (!done) return fail(done.error().code, done.error().message, where);
+    const std::vector<LeafCut>& cuts = *done;
     const CutSummary summary(cuts);
     if (summary.divided == 0 && summary.first)
         return fail(summary.first->code, summary.first->message, where);

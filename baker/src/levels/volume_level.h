@@ -2,6 +2,7 @@
 // A level that cuts the pieces of the level before through their volume.
 #pragma once
 
+#include "levels/piece_choice.h"
 #include "levels/piece_model.h"
 #include "sherd/baker/report.h"
 #include "sherd/baker/volume_cut.h"
@@ -9,11 +10,11 @@
 
 namespace sherd {
 
-/// Divides the model's leaves and adds a level for what they became; leaves that cannot be divided
-/// stand for themselves, with a finding. The result does not depend on the number of threads.
-/// Errors: separatesNothing, limitExceeded, notClosed, and why the first piece cannot be cut if
-/// none can.
-Result<void> cutLevel(const VolumeCut& cut, unsigned threads, const PieceModel& model,
-                      BakedObjectReport& report);
+/// Divides the leaves that the cut chooses and adds a level for what they became; others stand for
+/// themselves, those that cannot be divided with a finding. The result does not depend on the
+/// number of threads. Errors: separatesNothing, limitExceeded, notClosed, badArgument (nothing is
+/// chosen), and why the first piece cannot be cut if none can.
+Result<void> cutLevel(const VolumeCut& cut, unsigned threads, const std::vector<PieceName>& names,
+                      const PieceModel& model, BakedObjectReport& report);
 
 }  // namespace sherd

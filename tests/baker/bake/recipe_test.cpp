@@ -66,6 +66,13 @@ TEST_CASE("a bad recipe is refused with the pointer of the culprit and what woul
     CHECK(errorOf(R"({"measure": "all"})").where == "r.json#/measure");
     CHECK(errorOf(R"({"levels": []})").where == "r.json#/levels");
     CHECK(errorOf(R"({"levels": [{"name": "x"}]})").where == "r.json#/levels/0");
+    CHECK(errorOf(R"({"levels": [{"cut": "voronoi:5", "map": "a.svg"}]})").where ==
+          "r.json#/levels/0");
+    const Error noCut = errorOf(R"({"levels": [{"map": "a.svg"}, {"cut": "voronoy:5"}]})");
+    CHECK(noCut.where == "r.json#/levels/1/cut");
+    CHECK(noCut.message.find("voronoi:N") != std::string::npos);
+    CHECK(errorOf(R"({"levels": [{"cut": "voronoi:5"}, {"map": "a.svg"}]})").where ==
+          "r.json#/levels/1");
     CHECK(errorOf(R"({"interior": {"type": "jelly"}})").where == "r.json#/interior/type");
     CHECK(errorOf(R"({"interior": {"materials": {"paint": 1}}})").where ==
           "r.json#/interior/materials/paint");

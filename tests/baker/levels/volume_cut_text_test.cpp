@@ -18,7 +18,19 @@ TEST_CASE("cuts are read with their seeds and options") {
     CHECK(slices.slabs == std::array<uint32_t, 3>{4, 3, 2});
     CHECK(slices.tilt == 0.1);
     CHECK(parseVolumeCut("slices:4x3x2").value().jitter == 0);
-    CHECK(parseVolumeCut("wood:20:3:axis=z").value().axis == 2);
+    CHECK(parseVolumeCut("wood:20:3:axis=z").value().axis == 2U);
+    CHECK(parseVolumeCut("bricks:6x10x1").value().jitter == 0);
+    CHECK(parseVolumeCut("points:0,0,0;1,2,3").value().points[1] == glm::dvec3(1, 2, 3));
+    CHECK(parseVolumeCut("glass:12x4:2:at=0,1,0").value().centre == glm::dvec3(0, 1, 0));
+    const PieceChoice only =
+        parseVolumeCut("voronoi:6:larger=0.1:smaller=0.5:near=0,1,0:within=2:name=head")
+            .value()
+            .only;
+    CHECK(only.larger == 0.1);
+    CHECK(only.smaller == 0.5);
+    CHECK(only.near == std::vector<glm::dvec3>{{0, 1, 0}});
+    CHECK(only.within == 2);
+    CHECK(only.name == "head");
 }
 
 TEST_CASE("a cut that cannot be is refused with what could be") {
@@ -34,7 +46,13 @@ TEST_CASE("a cut that cannot be is refused with what could be") {
         {"voronoi:-3", "from 1 to 10000"},
         {"voronoi:10001", "from 1 to 10000"},
         {"voronoi:5:x", "is not a seed"},
-        {"voronoi:5:1:jitter=1", "known are around, spread, stretch"},
+        {"voronoi:5:1:jitter=1", "known are around, larger, name, near"},
+        {"points:0,0,0", "at least two points"},
+        {"points:0,0", "X,Y,Z"},
+        {"glass:5", "sectors and rings"},
+        {"bricks:5x5", "rows"},
+        {"voronoi:5:larger=2", "from 0 to 1"},
+        {"voronoi:5:name=", "name"},
         {"voronoi:5:around=1,2", "X,Y,Z"},
         {"voronoi:5:around=1,2,nan", "X,Y,Z"},
         {"voronoi:5:stretch=1,65,1", "from 1 to 64"},
