@@ -2,45 +2,18 @@
 #include "levels/piece_joining.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "geometry/triangle.h"
 #include "levels/level_vertices.h"
+#include "levels/side_split.h"
+#include "levels/wall_matching.h"
 
 namespace sherd {
 namespace {
 
 using Triangle = std::array<uint32_t, 3>;
-
-/// A triangle, what lies on its sides, and which line each side is part of.
-struct SideSplit {
-    Triangle v;
-    std::array<std::vector<uint32_t>, 3> inner;  ///< from corner k to corner k + 1
-    std::array<uint32_t, 3> mark{};
-};
-
-/// Triangles with the same sides and all points on them. Halving the side with the most keeps them
-/// from getting thin.
-template <class Emit>
-void subdivide(const SideSplit& t, const Emit& emit) {
-    size_t k = 0;
-    for (size_t n = 1; n < 3; ++n)
-        if (t.inner[n].size() > t.inner[k].size()) k = n;
-    if (t.inner[k].empty()) return emit(t);
-    const size_t next = (k + 1) % 3, last = (k + 2) % 3;
-    const std::vector<uint32_t>& side = t.inner[k];
-    const auto middle = static_cast<std::ptrdiff_t>(side.size() / 2);
-    const uint32_t m = side[static_cast<size_t>(middle)];
-    SideSplit first, second;
-    first.v = {t.v[k], m, t.v[last]};
-    first.inner = {std::vector(side.begin(), side.begin() + middle), {}, t.inner[last]};
-    first.mark = {t.mark[k], 0, t.mark[last]};
-    second.v = {m, t.v[next], t.v[last]};
-    second.inner = {std::vector(side.begin() + middle + 1, side.end()), t.inner[next], {}};
-    second.mark = {t.mark[k], t.mark[next], 0};
-    subdivide(first, emit);
-    subdivide(second, emit);
-}
 
 class Joiner {
   public:
@@ -51,7 +24,7 @@ class Joiner {
           alone_(cuts.size() == 1),
           level_(model.components.levels + 1) {}
 
-    void run() {
+    uint32_t run() {
         names_ = vertices_.nameKnown(cuts_);
         for (size_t leaf = 0; leaf < cuts_.size(); ++leaf)
             if (cuts_[leaf].divided()) vertices_.nameSkin(cuts_[leaf], names_[leaf]);
@@ -65,10 +38,59 @@ class Joiner {
             else
                 addWhole(leaf, faces[leaf]);
         }
+        findWalls();
         store();
+        return matchWalls(walls_, model_);
     }
 
   private:
+    /// Triangles that two leaves have, of which one is divided now.
+    void findWalls() {
+        std::map<Triangle, std::vector<uint32_t>> alike;  // by places, ascending
+        for (uint32_t f = 0; f < model_.hidden.faces.size(); ++f) {
+            Triangle key = placesOf(model_.hidden.faces[f].v);
+            std::sort(key.begin(), key.end());
+            if (key[0] == key[1] || key[1] == key[2]) continue;
+            std::vector<uint32_t>& open = alike[key];
+            const auto other =
+                std::find_if(open.begin(), open.end(), [&](uint32_t g) { return areSides(f, g); });
+            if (other == open.end()) {
+                open.push_back(f);
+                continue;
+            }
+            addWall(*other, f);
+            open.erase(other);
+        }
+    }
+
+    Triangle placesOf(const Triangle& v) const {
+        return {vertices_.placeOf(v[0]), vertices_.placeOf(v[1]), vertices_.placeOf(v[2])};
+    }
+
+    /// Of faces with the same three places.
+    bool areSides(uint32_t f, uint32_t g) const {
+        const HiddenMesh::Face &a = model_.hidden.faces[f], &b = model_.hidden.faces[g];
+        const Triangle u = placesOf(a.v), v = placesOf(b.v);
+        const auto same = static_cast<size_t>(std::find(v.begin(), v.end(), u[0]) - v.begin());
+        return a.leaf != b.leaf && a.exposedFrom == b.exposedFrom && v[(same + 1) % 3] == u[2];
+    }
+
+    void addWall(uint32_t f, uint32_t g) {
+        const HiddenMesh::Face &a = model_.hidden.faces[f], &b = model_.hidden.faces[g];
+        if (!cuts_[a.leaf].divided() && !cuts_[b.leaf].divided()) return;
+        WallPair wall;
+        wall.v = a.v;
+        for (size_t k = 0; k < 3; ++k) {
+            const EdgePoints::Part part = vertices_.between(a.v[k], a.v[(k + 1) % 3]);
+            for (const EdgePoints::Point& p : part.points)
+                wall.onSides[k].push_back(
+                    {(p.share - part.from) / (part.to - part.from), p.vertex});
+        }
+        wallOf_[f] = {static_cast<uint32_t>(walls_.size()), 0};
+        wallOf_[g] = {static_cast<uint32_t>(walls_.size()), 1};
+        walls_.push_back(std::move(wall));
+    }
+
     uint32_t beginLeaf(uint32_t parent) {
         parents_.push_back(parent);
         return static_cast<uint32_t>(parents_.size()) - 1;
@@ -80,7 +102,8 @@ class Joiner {
             if (f < model_.surface.triangles.size())
                 addOuter(model_.surface.triangles[f], now);
             else
-                addHidden(model_.hidden.faces[f - model_.surface.triangles.size()], now);
+                addHidden(f - static_cast<uint32_t>(model_.surface.triangles.size()),
+                          model_.hidden.faces[f - model_.surface.triangles.size()], now);
         }
     }
 
@@ -119,7 +142,7 @@ class Joiner {
         for (size_t k = 0; k < 3; ++k)
             face.v[k] = vertices_.nameInside(cuts_[leaf], names_[leaf],
                                              piece.vertices[piece.triangles[t][k]]);
-        addHidden(face, now);
+        addHidden(kNone, face, now);
     }
 
     void addSkin(uint32_t leaf, const MeshCut::SkinTriangle& part, uint32_t now) {
@@ -131,7 +154,7 @@ class Joiner {
         if (source >= outer) {
             HiddenMesh::Face face = model_.hidden.faces[source - outer];
             face.v = v;
-            return addHidden(face, now);
+            return addHidden(source - outer, face, now);
         }
         SplitTriangle triangle = model_.surface.triangles[source];
         triangle.v = v;
@@ -165,7 +188,8 @@ class Joiner {
         });
     }
 
-    void addHidden(HiddenMesh::Face face, uint32_t leaf) {
+    /// from: the face it is part of; kNone: it is new.
+    void addHidden(uint32_t from, HiddenMesh::Face face, uint32_t leaf) {
         if (isDegenerate(face.v)) return;
         face.leaf = leaf;
         SideSplit split{face.v, {}, {}};
@@ -175,6 +199,7 @@ class Joiner {
         subdivide(split, [&](const SideSplit& part) {
             face.v = part.v;
             hidden_.push_back(face);
+            hiddenFrom_.push_back(from);
         });
     }
 
@@ -214,7 +239,21 @@ class Joiner {
         for (HiddenMesh::Face& face : hidden_)
             for (uint32_t& v : face.v) v = vertices_.renamed(v);
         model_.hidden.faces = std::move(hidden_);
+        storeWalls();
         storeComponents(components);
+    }
+
+    void storeWalls() {
+        for (WallPair& wall : walls_) {
+            for (uint32_t& v : wall.v) v = vertices_.renamed(v);
+            for (std::vector<EdgePoints::Point>& side : wall.onSides)
+                for (EdgePoints::Point& p : side) p.vertex = vertices_.renamed(p.vertex);
+        }
+        for (uint32_t f = 0; f < hiddenFrom_.size(); ++f) {
+            const auto wall = wallOf_.find(hiddenFrom_[f]);
+            if (wall != wallOf_.end())
+                walls_[wall->second.first].faces[wall->second.second].push_back(f);
+        }
     }
 
     void storeComponents(Components& components) const {
@@ -241,12 +280,15 @@ class Joiner {
     std::vector<SplitTriangle> outer_;
     std::vector<uint32_t> outerLeaf_;
     std::vector<HiddenMesh::Face> hidden_;
+    std::vector<uint32_t> hiddenFrom_;
+    std::vector<WallPair> walls_;
+    std::map<uint32_t, std::pair<uint32_t, size_t>> wallOf_;  ///< per face: which, and which side
 };
 
 }  // namespace
 
-void joinPieces(const std::vector<LeafCut>& cuts, const PieceModel& model) {
-    Joiner(cuts, model).run();
+uint32_t joinPieces(const std::vector<LeafCut>& cuts, const PieceModel& model) {
+    return Joiner(cuts, model).run();
 }
 
 }  // namespace sherd

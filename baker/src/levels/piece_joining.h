@@ -11,7 +11,8 @@ namespace sherd {
 
 /// cuts: per leaf; those that are not divided stay as they are. Every piece becomes a leaf and a
 /// component of a new, deepest level, which shows the caps. Where a leaf is cut, the edges it
-/// shares with others are split in those, too.
-void joinPieces(const std::vector<LeafCut>& cuts, const PieceModel& model);
+/// shares with others are split in those, too. Walls between pieces are cut on both sides alike;
+/// returns how many of their triangles could not.
+uint32_t joinPieces(const std::vector<LeafCut>& cuts, const PieceModel& model);
 
 }  // namespace sherd

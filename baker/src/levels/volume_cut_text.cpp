@@ -168,7 +168,7 @@ class CutReader {
         for (const std::string_view place : split(value, ';')) {
             glm::dvec3 point;
             if (!readVector(place, point))
-                return stop(quoted(key + std::string(value)) + " is not " + key +
+                return stop(quoted(std::string(key).append(value)) + " is not " + key +
                             "X,Y,Z[;X,Y,Z]...");
             places.push_back(point);
         }

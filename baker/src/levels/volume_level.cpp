@@ -134,8 +134,14 @@ Result<void> cutLevel(const VolumeCut& cut, unsigned threads, const std::vector<
                     where);
     }
     if (auto ok = proveClosed(cuts, where); !ok) return ok;
-    joinPieces(cuts, model);
+    const uint32_t apart = joinPieces(cuts, model);
     summary.tell(cut, report);
+    if (apart > 0) {
+        report.findings.push_back({"walls-apart",
+                                   "triangles of walls between pieces are cut in other ways on "
+                                   "their two sides, being too small",
+                                   cut.text, apart});
+    }
     report.levels.resize(model.components.levels + 1);
     report.levels.back().components = model.components.leafCount;
     return {};

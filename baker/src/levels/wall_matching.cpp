@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "levels/wall_matching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+
+#include "levels/leaf_cut.h"
+#include "levels/side_split.h"
+#include "levels/wall_overlay.h"
+
+namespace sherd {
+namespace {
+
+constexpr int32_t kSide = WallOverlayInput::kSide;
+
+GridPoint onSide(size_t k, double share) {
+    const auto n = std::clamp(static_cast<int32_t>(std::lround(share * kSide)), 1, kSide - 1);
+    return k == 0 ? GridPoint{n, 0} : k == 1 ? GridPoint{kSide - n, n} : GridPoint{0, kSide - n};
+}
+
+/// One wall in its own frame.
+class WallFrame {
+  public:
+    WallFrame(const WallPair& pair, const PieceModel& model, const std::vector<uint32_t>& places)
+        : pair_(pair), model_(model), places_(places) {
+        const glm::dvec3 a = at(pair.v[0]);
+        ab_ = at(pair.v[1]) - a;
+        ac_ = at(pair.v[2]) - a;
+        normal_ = glm::cross(ab_, ac_);
+    }
+
+    /// Nothing if two points are one on the grid.
+    std::optional<WallOverlayInput> input() {
+        if (!(glm::dot(normal_, normal_) > 0)) return std::nullopt;
+        WallOverlayInput input;
+        const std::array<GridPoint, 3> corners = {GridPoint{0, 0}, GridPoint{kSide, 0},
+                                                  GridPoint{0, kSide}};
+        bool distinct = true;
+        for (size_t k = 0; k < 3; ++k)
+            distinct = add(places_[pair_.v[k]], corners[k], input) && distinct;
+        for (size_t k = 0; k < 3; ++k)
+            for (const EdgePoints::Point& p : pair_.onSides[k])
+                distinct = add(places_[p.vertex], onSide(k, p.share), input) && distinct;
+        for (size_t side = 0; side < 2; ++side) {
+            for (const uint32_t f : pair_.faces[side]) {
+                std::array<uint32_t, 3> t = model_.hidden.faces[f].v;
+                if (side == 1) std::swap(t[1], t[2]);
+                for (uint32_t& v : t) {
+                    const uint32_t place = places_[v];
+                    if (!local_.contains(place))
+                        distinct = add(place, inner(place), input) && distinct;
+                    v = local_[place];
+                }
+                input.cuts[side].push_back(t);
+            }
+        }
+        if (!distinct) return std::nullopt;
+        return input;
+    }
+
+    const std::vector<uint32_t>& placeOf() const { return placeOf_; }
+
+  private:
+    glm::dvec3 at(uint32_t v) const { return model_.hidden.positions[v]; }
+
+    glm::dvec2 weightsAt(uint32_t place) const {
+        const glm::dvec3 ap = at(place) - at(pair_.v[0]);
+        const double area2 = glm::dot(normal_, normal_);
+        return {glm::dot(glm::cross(ap, ac_), normal_) / area2,
+                glm::dot(glm::cross(ab_, ap), normal_) / area2};
+    }
+
+    GridPoint inner(uint32_t place) const {
+        const glm::dvec2 w = weightsAt(place);
+        const auto round = [](double x, int32_t most) {
+            return std::clamp(static_cast<int32_t>(std::lround(std::clamp(x, 0.0, 1.0) * kSide)), 1,
+                              most);
+        };
+        const int32_t u = round(w.x, kSide - 2);
+        return {u, round(w.y, kSide - 1 - u)};
+    }
+
+    bool add(uint32_t place, GridPoint p, WallOverlayInput& input) {
+        const auto [it, isNew] =
+            local_.try_emplace(place, static_cast<uint32_t>(input.points.size()));
+        if (!isNew) return false;
+        const bool distinct =
+            std::find(input.points.begin(), input.points.end(), p) == input.points.end();
+        input.points.push_back(p);
+        const glm::dvec2 w = weightsAt(place);
+        const double length = glm::length(ab_);
+        input.shape.emplace_back(w.x * length + w.y * glm::dot(ab_, ac_) / length,
+                                 w.y * glm::length(normal_) / length);
+        placeOf_.push_back(place);
+        return distinct;
+    }
+
+    const WallPair& pair_;
+    const PieceModel& model_;
+    const std::vector<uint32_t>& places_;
+    glm::dvec3 ab_, ac_, normal_;
+    std::map<uint32_t, uint32_t> local_;  ///< by place
+    std::vector<uint32_t> placeOf_;       ///< per local point
+};
+
+class WallMatcher {
+  public:
+    explicit WallMatcher(const PieceModel& model)
+        : model_(model), places_(placesOf(model)), faces_(model.hidden.faces) {
+        for (HiddenMesh::Face& face : faces_)
+            for (uint32_t& v : face.v) v = places_[v];
+        replaced_.assign(faces_.size(), 0);
+    }
+
+    uint32_t run(const std::vector<WallPair>& pairs) {
+        uint32_t apart = 0;
+        for (const WallPair& pair : pairs)
+            if (!matches(pair) && !match(pair)) ++apart;
+        lines_.join([this](uint32_t v) { return model_.hidden.positions[v]; });
+        if (meetsSkin()) return static_cast<uint32_t>(pairs.size());
+        store();
+        return apart;
+    }
+
+  private:
+    /// Whether both sides have the same triangles already.
+    bool matches(const WallPair& pair) const {
+        std::array<std::vector<std::array<uint32_t, 3>>, 2> sides;
+        for (size_t side = 0; side < 2; ++side) {
+            for (const uint32_t f : pair.faces[side]) {
+                auto t = faces_[f].v;
+                if (side == 1) std::swap(t[1], t[2]);
+                std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+                sides[side].push_back(t);
+            }
+            std::sort(sides[side].begin(), sides[side].end());
+        }
+        return sides[0] == sides[1];
+    }
+
+    bool match(const WallPair& pair) {
+        WallFrame frame(pair, model_, places_);
+        const std::optional<WallOverlayInput> input = frame.input();
+        if (!input) return false;
+        const std::optional<WallOverlay> overlay = overlayWall(*input);
+        if (!overlay) return false;
+        std::vector<uint32_t> vertices = frame.placeOf();
+        for (const WallOverlay::OnEdge& p : overlay->crossings) {
+            const glm::dvec3 a = model_.hidden.positions[vertices[p.a]];
+            const glm::dvec3 b = model_.hidden.positions[vertices[p.b]];
+            vertices.push_back(static_cast<uint32_t>(model_.hidden.positions.size()));
+            model_.hidden.positions.emplace_back(a + (b - a) * p.share);
+        }
+        for (const WallOverlay::OnEdge& p : overlay->onEdges) {
+            const uint32_t a = vertices[p.a], b = vertices[p.b];
+            lines_.add(lines_.findOrAdd(a, b), a < b ? p.share : 1 - p.share, vertices[p.point]);
+        }
+        for (const WallOverlay::Part& part : overlay->parts) {
+            for (size_t side = 0; side < 2; ++side) {
+                HiddenMesh::Face face = faces_[pair.faces[side][part.of[side]]];
+                for (size_t k = 0; k < 3; ++k) face.v[k] = vertices[part.v[k]];
+                if (side == 1) std::swap(face.v[1], face.v[2]);
+                added_.push_back(face);
+            }
+        }
+        for (const std::vector<uint32_t>& side : pair.faces)
+            for (const uint32_t f : side) replaced_[f] = 1;
+        return true;
+    }
+
+    /// What a wall gains lies inside it: no outer face can have it on a side, unless two edges are
+    /// in one place. Then walls stay as they were.
+    bool meetsSkin() const {
+        for (const SplitTriangle& t : model_.surface.triangles) {
+            for (size_t k = 0; k < 3; ++k)
+                if (!lines_.between(places_[t.v[k]], places_[t.v[(k + 1) % 3]]).points.empty())
+                    return true;
+        }
+        return false;
+    }
+
+    void store() {
+        std::vector<HiddenMesh::Face>& out = model_.hidden.faces;
+        out.clear();
+        const auto add = [&](HiddenMesh::Face face) {
+            SideSplit split{face.v, {}, {}};
+            for (size_t k = 0; k < 3; ++k)
+                for (const EdgePoints::Point& p :
+                     lines_.between(split.v[k], split.v[(k + 1) % 3]).points)
+                    split.inner[k].push_back(p.vertex);
+            subdivide(split, [&](const SideSplit& part) {
+                face.v = part.v;
+                out.push_back(face);
+            });
+        };
+        for (uint32_t f = 0; f < faces_.size(); ++f)
+            if (replaced_[f] == 0) add(faces_[f]);
+        for (const HiddenMesh::Face& face : added_) add(face);
+    }
+
+    const PieceModel& model_;
+    std::vector<uint32_t> places_;
+    std::vector<HiddenMesh::Face> faces_;  ///< over places
+    std::vector<uint8_t> replaced_;
+    std::vector<HiddenMesh::Face> added_;
+    EdgePoints lines_;
+};
+
+}  // namespace
+
+uint32_t matchWalls(const std::vector<WallPair>& pairs, const PieceModel& model) {
+    if (pairs.empty()) return 0;
+    return WallMatcher(model).run(pairs);
+}
+
+}  // namespace sherd
