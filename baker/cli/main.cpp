@@ -8,6 +8,7 @@
 #include "exit_codes.h"
 #include "export_command.h"
 #include "layout_command.h"
+#include "recipe_command.h"
 
 int main(int argc, char** argv) {
     using namespace sherd::cli;
@@ -22,6 +23,7 @@ int main(int argc, char** argv) {
     addBakeCommand(app, exitCode);
     addCheckCommand(app, exitCode);
     addExportCommand(app, exitCode);
+    addRecipeCommand(app, exitCode);
     app.footer(
         "A first bake:\n"
         "  sherd-bake layout vase.glb -o cracks.svg      draw lines over the template\n"

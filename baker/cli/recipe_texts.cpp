@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "recipe_texts.h"
+
+namespace sherd::cli {
+
+const std::array<RecipeExample, 6> kRecipeExamples = {{
+    {"drawn", "cracks that an artist drew, coarse and fine", R"({
+  // Coarse to fine; each level divides the pieces of the one before.
+  "levels": [
+    {"map": "coarse.svg", "name": "chunks"},
+    {"map": "fine.svg"}
+  ],
+  "interior": {
+    "type": "medial",            // or "shell", "solid": docs/interiors.md
+    "material": "clay inside"    // of the model; leave it out for a neutral grey
+  },
+  "physics": {"density": 1900, "strength": 1e6, "toughness": 30}   // kg/m3, Pa, J/m2
+}
+)"},
+    {"wall", "drawn cracks straight through a wall, whose stones crumble where they are large", R"({
+  "levels": [
+    {"map": "cracks.svg", "name": "stones"},
+    {"cut": "voronoi:6:1:larger=0.02", "name": "rubble"},
+    {"cut": "voronoi:4:2:larger=0.01"}
+  ],
+  "interior": {
+    "type": "solid",
+    "roughness": {"amplitude": 0.01, "size": 0.08}   // metres
+  },
+  "physics": {"density": 2300}
+}
+)"},
+    {"stone", "any closed model in pieces, no drawing needed", R"({
+  "levels": [
+    {"cut": "voronoi:8:1", "name": "boulders"},      // 8 cells, seed 1
+    {"cut": "voronoi:6:1", "name": "gravel"}         // each boulder in 6
+  ],
+  "interior": {"roughness": {"amplitude": 0.02, "size": 0.1}},
+  "physics": {"density": 2600, "strength": 5e6}
+}
+)"},
+    {"glass", "a pane that was hit: sectors and rings, then splinters near the middle", R"({
+  "levels": [
+    {"cut": "glass:11x4:3"},                         // add :at=X,Y,Z where it was hit
+    {"cut": "voronoi:3:1:smaller=0.03"}
+  ],
+  "interior": {"normals": "flat"},
+  "physics": {"density": 2500, "strength": 3e7, "toughness": 8}
+}
+)"},
+    {"bricks", "masonry in bond, each brick in three", R"({
+  "levels": [
+    {"cut": "bricks:6x8x1", "name": "bricks"},       // in a row, rows, deep
+    {"cut": "voronoi:3:1:larger=0.005"}
+  ],
+  "physics": {"density": 1800}
+}
+)"},
+    {"wood", "splinters along the grain", R"({
+  "levels": [
+    {"cut": "wood:6:1:axis=y:elongation=6"},
+    {"cut": "wood:4:2:axis=y:elongation=16"}
+  ],
+  "physics": {"density": 700, "strength": 4e7, "toughness": 500}
+}
+)"},
+}};
+
+const char* const kRecipeSchema = R"({
+  "$schema": "http://json-schema.org/draft-07/schema#",
+  "title": "Sherd recipe",
+  "description": "How sherd-bake breaks a model. Comments are allowed; every key may be left out.",
+  "type": "object",
+  "additionalProperties": false,
+  "properties": {
+    "levels": {
+      "description": "Coarse to fine, each dividing the pieces of the one before. Levels of lines (map, pattern) come before those of cuts.",
+      "type": "array", "minItems": 1,
+      "items": {
+        "type": "object", "additionalProperties": false,
+        "oneOf": [{"required": ["map"]}, {"required": ["pattern"]}, {"required": ["cut"]}],
+        "properties": {
+          "map": {"description": "SVG, JSON, PNG or JPEG, relative to the recipe", "type": "string", "minLength": 1},
+          "pattern": {"description": "lines by a pattern, like voronoi:12 or grid:4x3:brick", "type": "string", "pattern": "^(voronoi|grid|radial|wood):"},
+          "cut": {"description": "through the volume, like voronoi:12, grid:30, slices:2x3x2, wood:8, points:X,Y,Z;X,Y,Z, bricks:6x8x1 or glass:11x4; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^(voronoi|grid|slices|wood|points|bricks|glass):"},
+          "projection": {"description": "how a drawing lies on the object", "type": "string", "pattern": "^(uv|box|planar(:.+)?|cylindrical(:.+)?)$"},
+          "name": {"type": "string"}
+        }
+      }
+    },
+    "interior": {
+      "type": "object", "additionalProperties": false,
+      "properties": {
+        "type": {"enum": ["medial", "shell", "solid"]},
+        "shell": {
+          "type": "object", "additionalProperties": false,
+          "properties": {
+            "thickness": {"description": "metres; 0: 2 % of the diagonal", "type": "number", "minimum": 0, "maximum": 1e9},
+            "attribute": {"type": "string"},
+            "channel": {"type": "integer", "minimum": 0, "maximum": 3},
+            "texture": {"type": "string"}
+          }
+        },
+        "thesis": {"type": "boolean"},
+        "preSmoothing": {"type": "integer", "minimum": 0, "maximum": 1000},
+        "postSmoothing": {"type": "integer", "minimum": 0, "maximum": 1000},
+        "separationAngle": {"description": "degrees", "type": "number", "minimum": 0, "maximum": 180},
+        "scaleAxis": {"type": "number", "minimum": 1, "maximum": 10},
+        "smallestRadius": {"description": "share of the diagonal", "type": "number", "minimum": 0, "maximum": 1},
+        "material": {"description": "of the model, by name", "type": "string"},
+        "materials": {"description": "outer material: inner material", "type": "object", "additionalProperties": {"type": "string"}},
+        "normals": {"enum": ["smooth", "flat"]},
+        "depthColor": {"anyOf": [{"type": "boolean"}, {"type": "string", "pattern": "^(COLOR_[0-9]|_[_A-Z0-9]+)$"}]},
+        "roughness": {
+          "type": "object", "additionalProperties": false,
+          "properties": {
+            "amplitude": {"description": "metres", "type": "number", "minimum": 0, "maximum": 1e6},
+            "size": {"description": "metres from bump to bump; 0: a twentieth of the diagonal", "type": "number", "minimum": 0, "maximum": 1e6},
+            "seed": {"type": "integer", "minimum": 0, "maximum": 1000000000}
+          }
+        },
+        "creaseAngle": {"description": "degrees", "type": "number", "minimum": 0, "maximum": 180},
+        "uvMetresPerTile": {"type": "number", "minimum": 0, "maximum": 1e9}
+      }
+    },
+    "physics": {
+      "type": "object", "additionalProperties": false,
+      "properties": {
+        "density": {"description": "kg/m3", "type": "number", "minimum": 1e-6, "maximum": 1e9},
+        "friction": {"type": "number", "minimum": 0, "maximum": 100},
+        "restitution": {"type": "number", "minimum": 0, "maximum": 1},
+        "strength": {"description": "Pa", "type": "number", "minimum": 0, "maximum": 1e15},
+        "toughness": {"description": "J/m2", "type": "number", "minimum": 0, "maximum": 1e15},
+        "hullVertices": {"type": "integer", "minimum": 4, "maximum": 255},
+        "hullMargin": {"description": "metres", "type": "number", "minimum": 0, "maximum": 1e6}
+      }
+    },
+    "curveTolerance": {"description": "UV units", "type": "number", "minimum": 1e-7, "maximum": 0.1},
+    "seamJoinShare": {"type": "number", "minimum": 0, "maximum": 0.1},
+    "minimumComponentShare": {"type": "number", "minimum": 0, "maximum": 0.5},
+    "closeGaps": {"type": "number", "minimum": 0, "maximum": 1},
+    "snapShare": {"type": "number", "minimum": 0, "maximum": 10},
+    "wrap": {"enum": ["texture", "none", "repeat", "mirror", "clamp"]},
+    "modelLines": {"type": "boolean"},
+    "splitParts": {"type": "boolean"},
+    "bitmap": {
+      "type": "object", "additionalProperties": false,
+      "properties": {
+        "threshold": {"type": "number", "minimum": 0, "maximum": 1},
+        "tolerance": {"description": "texels", "type": "number", "minimum": 0, "maximum": 1000},
+        "spur": {"description": "texels", "type": "number", "minimum": 0, "maximum": 1000},
+        "curves": {"type": "boolean"}
+      }
+    },
+    "levelColors": {"description": "stroke colour: level", "type": "object", "additionalProperties": {"type": "integer", "minimum": 1, "maximum": 64}},
+    "capHoles": {"type": "boolean"},
+    "allowOpen": {"type": "boolean"},
+    "measure": {"type": "boolean"}
+  }
+}
+)";
+
+}  // namespace sherd::cli
