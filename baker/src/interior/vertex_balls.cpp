@@ -34,7 +34,7 @@ class VertexBalls {
 
     /// In an order in which each vertex is near the one before.
     std::vector<Ball> run(std::span<const uint32_t> order) {
-        constexpr size_t kStride = 16;  // one of so many searches
+        constexpr size_t kStride = 8;  // one of so many searches
         constexpr int kSweeps = 2;
         std::vector<uint32_t> sample;
         const size_t stride = order.size() < kManyVertices ? 1 : kStride;
