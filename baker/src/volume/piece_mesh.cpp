@@ -100,17 +100,27 @@ class Assembly {
         }
         bool any = false;
         for (uint32_t p = 0; p < built_.size(); ++p) {
-            if (!isSliver(p) || shared[p].empty()) continue;
+            if (!isSliver(p)) continue;
             const auto most =
                 std::max_element(shared[p].begin(), shared[p].end(),
                                  [](const auto& a, const auto& b) { return a.second < b.second; });
-            const uint32_t own = cells_[p][0], other = cells_[most->first][0];
+            const uint32_t joined = most == shared[p].end() ? largestPiece() : most->first;
+            const uint32_t own = cells_[p][0], other = cells_[joined][0];
             if (groups_.find(own) == groups_.find(other)) continue;  // merged with each other
             groups_.unite(own, other);
             ++slivers_;
             any = true;
         }
         return any;
+    }
+
+    /// Where slivers go that touch nothing: a fold of the skin, say, alone in its cell.
+    uint32_t largestPiece() const {
+        const auto most = std::max_element(
+            built_.begin(), built_.end(), [](const BuiltPiece& a, const BuiltPiece& b) {
+                return a.mesh.volume < b.mesh.volume;
+            });
+        return static_cast<uint32_t>(most - built_.begin());
     }
 
     double areaOf(const MeshCut::Cap& cap) const {

@@ -32,7 +32,8 @@ struct PieceOptions {
     /// cell a piece of its own.
     std::span<const uint32_t> groups;
     /// A piece of less than this share of the whole volume becomes part of the neighbour it shares
-    /// most area with: planes that all but meet leave slivers that no float can hold. 0 to 1.
+    /// most area with, the largest if it touches none: planes that all but meet leave slivers that
+    /// no float can hold. 0 to 1.
     double smallestShare = 1e-9;
 };
 

@@ -207,6 +207,20 @@ TEST_CASE("cells that hold nothing are no pieces") {
     CHECK(cut.pieces.pieceOfCell[1] == CutPieces::kNone);
 }
 
+TEST_CASE("a fold without volume, alone in its cell, goes to the largest piece") {
+    Solid solid = cube();
+    const auto first = static_cast<uint32_t>(solid.positions.size());
+    solid.positions.insert(solid.positions.end(), {{3, 0, 0}, {4, 0, 0}, {3, 1, 0}});
+    solid.triangles.push_back({first, first + 1, first + 2});
+    solid.triangles.push_back({first + 2, first + 1, first});
+    const CutSolid cut = slabsOf(solid, {{{-0.5, 0, 0}, {1, 0, 0}}, {{2, 0, 0}, {1, 0, 0}}});
+    REQUIRE(cut.pieces.pieces.size() == 2);
+    CHECK(cut.pieces.slivers == 1);
+    CHECK(cut.pieces.pieces[0].lumps == 1);
+    CHECK(cut.pieces.pieces[1].lumps == 2);
+    CHECK(cut.pieces.pieces[1].volume == doctest::Approx(6));
+}
+
 TEST_CASE("a ring cut lengthwise twice gives a piece of two lumps") {
     const Solid ring = torusSolid(1, 0.25F, 24, 8);
     const CutSolid cut = slabsOf(ring, {{{-0.3, 0, 0}, {1, 0, 0}}, {{0.3, 0, 0}, {1, 0, 0}}});
