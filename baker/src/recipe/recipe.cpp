@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "sherd/baker/recipe.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "recipe/interior_reader.h"
+#include "recipe/level_reader.h"
+#include "recipe/line_reader.h"
+#include "recipe/physics_reader.h"
+#include "recipe/recipe_reader.h"
+
+namespace sherd {
+namespace {
+
+using Json = nlohmann::json;
+
+}  // namespace
+
+Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
+    Json json;
+    try {
+        json = Json::parse(text, nullptr, true, true);
+    } catch (const Json::exception& e) {
+        return fail(ErrorCode::malformed, std::string("the recipe is not valid JSON: ") + e.what(),
+                    name);
+    }
+    Recipe recipe;
+    recipe.file = name;
+    Error error;
+    std::string wrap;
+    RecipeReader reader(name, error);
+    const bool ok = reader.object(
+        json, "",
+        {{"levels",
+          [&](const Json& j, const std::string& p) { return readLevels(reader, j, p, recipe); }},
+         {"interior",
+          [&](const Json& j, const std::string& p) {
+              return readInterior(reader, j, p, recipe.interior);
+          }},
+         {"physics",
+          [&](const Json& j, const std::string& p) {
+              return readPhysics(reader, j, p, recipe.physics);
+          }},
+         {"curveTolerance", reader.number(recipe.curveTolerance, 1e-7, 0.1)},
+         {"seamJoinShare", reader.number(recipe.seamJoinShare, 0, 0.1)},
+         {"minimumComponentShare", reader.number(recipe.minimumComponentShare, 0, 0.5)},
+         {"closeGaps", reader.number(recipe.closeGaps, 0, 1)},
+         {"snapShare", reader.number(recipe.snapShare, 0, 10)},
+         {"wrap", reader.string(wrap)},
+         {"modelLines", reader.boolean(recipe.modelLines)},
+         {"splitParts", reader.boolean(recipe.splitParts)},
+         {"bitmap", [&](const Json& j,
+                        const std::string& p) { return readBitmap(reader, j, p, recipe.bitmap); }},
+         {"levelColors",
+          [&](const Json& j, const std::string& p) {
+              return readLevelColors(reader, j, p, recipe);
+          }},
+         {"capHoles", reader.boolean(recipe.capHoles)},
+         {"allowOpen", reader.boolean(recipe.allowOpen)},
+         {"measure", reader.boolean(recipe.measure)}});
+    if (!ok) return tl::unexpected(error);
+    if (!wrap.empty()) {
+        const Result<PageWrap> parsed = parsePageWrap(wrap);
+        if (!parsed) return fail(ErrorCode::invalidData, parsed.error().message, name + "#/wrap");
+        recipe.wrap = *parsed;
+    }
+    return recipe;
+}
+
+Result<Recipe> readRecipe(const std::filesystem::path& path) {
+    std::error_code status;
+    if (std::filesystem::is_directory(path, status)) {
+        return fail(ErrorCode::fileRead, "this is a directory, not a recipe", path.string());
+    }
+    if (!std::filesystem::exists(path, status)) {
+        return fail(ErrorCode::fileNotFound, "the recipe does not exist", path.string());
+    }
+    std::ifstream in(path, std::ios::binary);
+    std::stringstream content;
+    content << in.rdbuf();
+    if (!in) return fail(ErrorCode::fileRead, "the recipe cannot be read", path.string());
+    Result<Recipe> recipe = parseRecipe(content.str(), path.string());
+    if (recipe) {
+        std::filesystem::path& texture = recipe->interior.shell.texture;
+        if (!texture.empty()) texture = path.parent_path() / texture;
+        for (RecipeLevel& level : recipe->levels) {
+            if (!level.map.empty()) level.map = path.parent_path() / level.map;
+            if (!level.pattern || level.pattern->density.empty()) continue;
+            std::string& density = level.pattern->density;
+            if (density != "color") density = (path.parent_path() / density).string();
+        }
+    }
+    return recipe;
+}
+
+}  // namespace sherd
