@@ -3,20 +3,13 @@
 #pragma once
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
+#include "fuzzed_promise.h"
 #include "map/map_limits.h"
 #include "map/planar_map.h"
 #include "sherd/baker/fracture_map.h"
 
 namespace sherd::fuzz {
-
-inline void require(bool holds, const char* what) {
-    if (holds) return;
-    std::fprintf(stderr, "broken promise: %s\n", what);
-    std::abort();
-}
 
 inline void requireQuantity(const std::optional<float>& value) {
     require(!value || (std::isfinite(*value) && *value >= 0), "a quantity is finite, at least 0");

@@ -163,6 +163,7 @@ class GltfImporter {
         mesh.name = node(object.node).name;
         if (mesh.name.empty())
             mesh.name = source_.model.meshes[static_cast<size_t>(mesh.mesh)].name;
+        if (mesh.name.empty()) mesh.name = "node " + std::to_string(object.node);
         mesh.restPose.translation = glm::vec3(object.transform.translation);
         mesh.restPose.rotation = glm::quat(object.transform.rotation);
         mesh.sameNodes.assign(object.same.begin(), object.same.end());

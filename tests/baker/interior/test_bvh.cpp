@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "geometry/triangle_bvh.h"
@@ -25,6 +26,17 @@ TEST_CASE("degenerate triangles are segments and points") {
     CHECK(closestOnTriangle({5, 1, 0}, a, c, b) == glm::dvec3(2, 0, 0));
     CHECK(closestOnTriangle({5, 1, 0}, a, a, a) == a);
     CHECK(closestOnTriangle({1, 1, 1}, a, b, b) == glm::dvec3(1, 0, 0));
+}
+
+TEST_CASE("a needle as thin as rounding is near to what lies on it") {
+    const glm::vec3 a(0.8F, 0.4F, 0.2F), b(0.4F, 0.8F, 1.0F),
+        c(0.6F, 0.6F, 0.6F);  // all but in line
+    for (int k = 1; k < 20; ++k) {
+        const glm::dvec3 p = glm::mix(glm::dvec3(b), glm::dvec3(c), k / 20.0);
+        CHECK(glm::distance(closestOnTriangle(p, a, b, c), p) < 1e-9);
+        CHECK(glm::distance(closestOnTriangle(p, c, a, b), p) < 1e-9);
+        CHECK(glm::distance(closestOnTriangle(p, b, c, a), p) < 1e-9);
+    }
 }
 
 TEST_CASE("the closest point equals the best of all triangles") {
