@@ -3,7 +3,7 @@
 
 namespace sherd::cli {
 
-const std::array<RecipeExample, 6> kRecipeExamples = {{
+const std::array<RecipeExample, 7> kRecipeExamples = {{
     {"drawn", "cracks that an artist drew, coarse and fine", R"({
   // Coarse to fine; each level divides the pieces of the one before.
   "levels": [
@@ -20,14 +20,35 @@ const std::array<RecipeExample, 6> kRecipeExamples = {{
     {"wall", "drawn cracks straight through a wall, whose stones crumble where they are large", R"({
   "levels": [
     {"map": "cracks.svg", "name": "stones"},
-    {"cut": "voronoi:6:1:larger=0.02", "name": "rubble"},
+    // Stones hold better than the mortar between them: Pa and J/m2, where this level parts.
+    {"cut": "voronoi:6:1:larger=0.02", "name": "rubble", "strength": 4e6, "toughness": 120},
     {"cut": "voronoi:4:2:larger=0.01"}
   ],
   "interior": {
     "type": "solid",
     "roughness": {"amplitude": 0.01, "size": 0.08}   // metres
   },
-  "physics": {"density": 2300}
+  // It stands on a foundation: everything below 5 cm is held, in coordinates of the scene.
+  "anchors": [{"below": 0.05, "strength": 8e6}],
+  // "materials": {"plaster": {"density": 1100}},    // for pieces that this material covers most of
+  "physics": {"density": 2300}                       // kg/m3, for all others
+}
+)"},
+    {"statue", "a figure on a base that stays, modelled in centimetres", R"({
+  "unitScale": 0.01,               // metres per unit of the model; all numbers below are in metres
+  "levels": [
+    {"map": "cracks.svg", "name": "limbs", "strength": 2e6},   // a label in it says name: base
+    {"cut": "voronoi:5:1:larger=0.01", "name": "chips", "strength": 6e6}
+  ],
+  "interior": {"type": "medial", "material": "marble inside"},
+  "materials": {
+    "marble": {"density": 2700, "friction": 0.4, "toughness": 60},
+    "bronze": {"density": 8700, "strength": 9e6, "toughness": 4000}
+  },
+  "anchors": [
+    {"label": "base"},                                          // a piece by its name
+    {"box": {"min": [-0.1, 0, -0.1], "max": [0.1, 0.2, 0.1]}}   // or whatever lies in a box
+  ]
 }
 )"},
     {"stone", "any closed model in pieces, no drawing needed", R"({
@@ -84,6 +105,8 @@ const char* const kRecipeSchema = R"({
           "pattern": {"description": "lines by a pattern, like voronoi:12 or grid:4x3:brick", "type": "string", "pattern": "^(voronoi|grid|radial|wood):"},
           "cut": {"description": "through the volume, like voronoi:12, grid:30, slices:2x3x2, wood:8, points:X,Y,Z;X,Y,Z, bricks:6x8x1 or glass:11x4; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^(voronoi|grid|slices|wood|points|bricks|glass):"},
           "projection": {"description": "how a drawing lies on the object", "type": "string", "pattern": "^(uv|box|planar(:.+)?|cylindrical(:.+)?)$"},
+          "strength": {"description": "Pa, of bonds between pieces that part at this level; lines and labels of drawings win", "type": "number", "minimum": 0, "maximum": 1e15},
+          "toughness": {"description": "J/m2, likewise", "type": "number", "minimum": 0, "maximum": 1e15},
           "name": {"type": "string"}
         }
       }
@@ -135,6 +158,55 @@ const char* const kRecipeSchema = R"({
         "hullMargin": {"description": "metres", "type": "number", "minimum": 0, "maximum": 1e6}
       }
     },
+    "materials": {
+      "description": "by name of a material of the model, which holds for pieces it covers most of, or of a label; what is left out is as in physics",
+      "type": "object",
+      "additionalProperties": {
+        "type": "object", "additionalProperties": false,
+        "properties": {
+          "density": {"description": "kg/m3", "type": "number", "minimum": 1e-6, "maximum": 1e9},
+          "friction": {"type": "number", "minimum": 0, "maximum": 100},
+          "restitution": {"type": "number", "minimum": 0, "maximum": 1},
+          "strength": {"description": "Pa", "type": "number", "minimum": 0, "maximum": 1e15},
+          "toughness": {"description": "J/m2", "type": "number", "minimum": 0, "maximum": 1e15}
+        }
+      }
+    },
+    "anchors": {
+      "description": "where the world holds the object; places are the scene's, metres",
+      "type": "array", "minItems": 1,
+      "items": {
+        "type": "object", "additionalProperties": false,
+        "oneOf": [{"required": ["below"]}, {"required": ["box"]}, {"required": ["label"]}],
+        "properties": {
+          "below": {
+            "description": "a height along y, or a plane",
+            "anyOf": [
+              {"type": "number", "minimum": -1e9, "maximum": 1e9},
+              {
+                "type": "object", "additionalProperties": false, "required": ["point"],
+                "properties": {
+                  "point": {"type": "array", "minItems": 3, "maxItems": 3, "items": {"type": "number", "minimum": -1e9, "maximum": 1e9}},
+                  "normal": {"description": "upwards, of any length; left out: y", "type": "array", "minItems": 3, "maxItems": 3, "items": {"type": "number", "minimum": -1e6, "maximum": 1e6}}
+                }
+              }
+            ]
+          },
+          "box": {
+            "description": "along the axes of the scene",
+            "type": "object", "additionalProperties": false, "required": ["min", "max"],
+            "properties": {
+              "min": {"type": "array", "minItems": 3, "maxItems": 3, "items": {"type": "number", "minimum": -1e9, "maximum": 1e9}},
+              "max": {"type": "array", "minItems": 3, "maxItems": 3, "items": {"type": "number", "minimum": -1e9, "maximum": 1e9}}
+            }
+          },
+          "label": {"description": "a piece by its name, as a label of a drawing gives it", "type": "string", "minLength": 1},
+          "strength": {"description": "Pa; left out: the piece's own", "type": "number", "minimum": 0, "maximum": 1e15},
+          "toughness": {"description": "J/m2; left out: the piece's own", "type": "number", "minimum": 0, "maximum": 1e15}
+        }
+      }
+    },
+    "unitScale": {"description": "metres per unit of the model, 0.01 for centimetres; the baked scene is scaled to metres", "type": "number", "minimum": 1e-6, "maximum": 1e6},
     "curveTolerance": {"description": "UV units", "type": "number", "minimum": 1e-7, "maximum": 0.1},
     "seamJoinShare": {"type": "number", "minimum": 0, "maximum": 0.1},
     "minimumComponentShare": {"type": "number", "minimum": 0, "maximum": 0.5},

@@ -8,9 +8,11 @@
 #include <future>
 
 #include "appearance/hidden_looks.h"
+#include "assembly/anchors.h"
 #include "assembly/geometry.h"
 #include "assembly/labels.h"
 #include "assembly/physics.h"
+#include "assembly/piece_materials.h"
 #include "bake_findings.h"
 #include "geometry/closed_mesh.h"
 #include "interior/hidden_points.h"
@@ -21,6 +23,7 @@
 #include "levels/bring_inside.h"
 #include "levels/volume_level.h"
 #include "measures/measures.h"
+#include "recipe_use.h"
 #include "repair/cap_holes.h"
 #include "solid/line_carrying.h"
 #include "solid/solid_leaves.h"
@@ -341,11 +344,11 @@ class Bake {
         std::vector<BakeFinding>& findings = report().findings;
         const std::vector<PlacedLabel> labels =
             placeLabels(mesh_, cut_, plan_, recipe_.snapShare * diagonal_, findings);
-        for (const std::string& problem : assembleLabels(labels, components_, hierarchy, set))
-            findings.push_back({"label", problem, "", 1});
-        for (size_t k = 0; k < recipe_.levels.size() && k + 1 < set.levels.size(); ++k) {
-            set.levels[k + 1].name = recipe_.levels[k].name;
-        }
+        const std::vector<std::optional<size_t>> origins =
+            levelOrigins(recipe_.levels, cut_.lines, set.levels.size());
+        for (size_t k = 1; k < origins.size(); ++k)
+            if (origins[k] && origins[k] != origins[k - 1])
+                set.levels[k].name = recipe_.levels[*origins[k]].name;
         {
             const StageTimer timer = stage("geometry", 0.75);
             const HiddenLooks looks = looks_.get();
@@ -353,7 +356,13 @@ class Bake {
             assembleGeometry({mesh_, cut_.surface, components_, hierarchy, looks, interiorSlots,
                               recipe_.interior},
                              set);
+            assembleMaterials(
+                {mesh_, cut_.surface, components_, hierarchy, looks.mesh, interior_.names},
+                recipe_.materials, set);
         }
+        for (const std::string& problem :
+             assembleLabels(labels, components_, hierarchy, recipe_.materials, set))
+            findings.push_back({"label", problem, "", 1});
         {
             const StageTimer timer = stage("masses", 0.8);
             const uint32_t boxed = assembleMasses(hierarchy, recipe_.threads, set);
@@ -369,11 +378,26 @@ class Bake {
             assembleHulls(recipe_.physics, recipe_.threads, set);
         }
         const StageTimer timer = stage("bonds", 0.9);
-        assembleBonds(
-            hierarchy,
+        assembleBonds(hierarchy, bondStrengths(labels, hierarchy, origins), 1e-3 * diagonal_,
+                      recipe_.threads, set);
+        const std::vector<bool> holds = assembleAnchors(
+            {cut_.surface, components_, hierarchy, labels, recipe_.anchors, diagonal_}, set);
+        reportAnchors(mesh_, recipe_.anchors, holds, result_);
+    }
+
+    BondStrengths bondStrengths(const std::vector<PlacedLabel>& labels, const Hierarchy& hierarchy,
+                                const std::vector<std::optional<size_t>>& origins) const {
+        std::vector<BondStrengths::Level> levels(origins.size());
+        for (size_t k = 0; k < origins.size(); ++k) {
+            if (!origins[k]) continue;
+            const RecipeLevel& said = recipe_.levels[*origins[k]];
+            levels[k] = {said.strength, said.toughness};
+        }
+        BondStrengths strengths(
             lineStrengths(cut_.surface, cut_.topology, cut_.lines, components_, hierarchy),
-            1e-3 * diagonal_, recipe_.threads, set);
-        assembleAnchors(labels, cut_.surface, components_, hierarchy, set);
+            std::move(levels));
+        strengths.addLabels(labels, components_, hierarchy);
+        return strengths;
     }
 
     /// The last proof, over the positions that are written: no fragment that fails it leaves here.

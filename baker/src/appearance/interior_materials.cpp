@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "recipe/recipe_reader.h"
+
 namespace sherd {
 namespace {
 
@@ -32,29 +34,17 @@ std::string quotedList(const std::vector<std::string>& names) {
     return list.empty() ? "none with a name" : list;
 }
 
-/// As JSON pointers spell keys (RFC 6901).
-std::string escaped(const std::string& key) {
-    std::string out;
-    for (const char c : key) {
-        if (c == '~')
-            out += "~0";
-        else if (c == '/')
-            out += "~1";
-        else
-            out += c;
-    }
-    return out;
-}
-
 class Chooser {
   public:
     Chooser(const GltfDocument& document, const Recipe& recipe)
         : recipe_(recipe), names_(materialNames(document)) {}
 
-    Result<ChosenMaterials> run(std::span<const SurfaceMesh> meshes) {
+    Result<ChosenMaterials> run(std::span<const SurfaceMesh* const> meshes) {
         ChosenMaterials chosen;
+        for (size_t i = 0; i < names_.size(); ++i)
+            if (!names_[i].empty()) chosen.materials.names[static_cast<int32_t>(i)] = names_[i];
         for (const auto& [outer, inner] : recipe_.interior.materials) {
-            const std::string pointer = "/interior/materials/" + escaped(outer);
+            const std::string pointer = RecipeReader::below("/interior/materials", outer);
             if (std::find(names_.begin(), names_.end(), outer) == names_.end() || outer.empty())
                 return unknown(outer, "on its surface", pointer);
             const auto index = indexOf(inner);
@@ -86,13 +76,13 @@ class Chooser {
         return tl::unexpected(Error{ErrorCode::badArgument,
                                     "the model has no material named \"" + name + "\" " + what +
                                         "; it has " + quotedList(names_),
-                                    recipe_.file + "#" + pointer});
+                                    recipe_.place(pointer)});
     }
 
     static bool needsOther(const InteriorMaterials& materials,
-                           std::span<const SurfaceMesh> meshes) {
-        for (const SurfaceMesh& mesh : meshes)
-            for (const int32_t material : mesh.materials)
+                           std::span<const SurfaceMesh* const> meshes) {
+        for (const SurfaceMesh* mesh : meshes)
+            for (const int32_t material : mesh->materials)
                 if (!materials.below.contains(material)) return true;
         return false;
     }
@@ -104,7 +94,7 @@ class Chooser {
 }  // namespace
 
 Result<ChosenMaterials> chooseInteriorMaterials(const GltfDocument& document,
-                                                std::span<const SurfaceMesh> meshes,
+                                                std::span<const SurfaceMesh* const> meshes,
                                                 const Recipe& recipe) {
     return Chooser(document, recipe).run(meshes);
 }

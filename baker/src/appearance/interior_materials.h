@@ -19,7 +19,7 @@ struct ChosenMaterials {
 /// Errors badArgument: a name that no material of the document has; with its pointer in the recipe
 /// and the names there are.
 Result<ChosenMaterials> chooseInteriorMaterials(const GltfDocument& document,
-                                                std::span<const SurfaceMesh> meshes,
+                                                std::span<const SurfaceMesh* const> meshes,
                                                 const Recipe& recipe);
 
 }  // namespace sherd

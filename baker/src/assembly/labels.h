@@ -2,11 +2,13 @@
 // What labels say of the fragments that hold their places.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "assembly/hierarchy.h"
 #include "sherd/baker/fracture_map.h"
+#include "sherd/baker/recipe.h"
 #include "surface/cut_surface.h"
 
 namespace sherd {
@@ -24,15 +26,16 @@ std::vector<PlacedLabel> placeLabels(const SurfaceMesh& mesh, const CutSurface& 
                                      const FracturePlan& plan, double snapDistance,
                                      std::vector<BakeFinding>& findings);
 
+/// The fragment that holds the place at the label's level.
+uint32_t fragmentOf(const PlacedLabel& placed, const Components& components,
+                    const Hierarchy& hierarchy);
+
 /// Names, materials and numbers go to the labelled fragment and all it consists of; of several
-/// labels those of deeper levels, then later ones, win. Returns what contradicts, a sentence each.
+/// labels those of deeper levels, then later ones, win; numbers of a label over those of
+/// `materials` that go by the material it names. Returns what contradicts, a sentence each.
 std::vector<std::string> assembleLabels(std::vector<PlacedLabel> labels,
                                         const Components& components, const Hierarchy& hierarchy,
+                                        const std::map<std::string, PhysicalMaterial>& materials,
                                         FractureSet& set);
-
-/// One bond to the world for every leaf of an anchored fragment: half the leaf's outer surface, at
-/// its middle. Appends to the set's bonds.
-void assembleAnchors(const std::vector<PlacedLabel>& labels, const SplitSurface& surface,
-                     const Components& components, const Hierarchy& hierarchy, FractureSet& set);
 
 }  // namespace sherd

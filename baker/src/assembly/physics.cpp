@@ -122,8 +122,8 @@ void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSe
     }
 }
 
-void assembleBonds(const Hierarchy& hierarchy, const BorderStrengths& lines, double sheetTolerance,
-                   unsigned threads, FractureSet& set) {
+void assembleBonds(const Hierarchy& hierarchy, const BondStrengths& strengths,
+                   double sheetTolerance, unsigned threads, FractureSet& set) {
     std::vector<HiddenTriangle> hidden;
     std::vector<uint32_t> leafFragments = hierarchy.fragmentOfRank;
     std::sort(leafFragments.begin(), leafFragments.end());
@@ -148,15 +148,7 @@ void assembleBonds(const Hierarchy& hierarchy, const BorderStrengths& lines, dou
         bond.area = static_cast<float>(leafBond.area);
         bond.centroid = leafBond.centroid;
         bond.normal = leafBond.normal;
-        // The weaker of two materials gives way, unless a line says what holds there.
-        const Fragment& a = set.fragments[leafBond.a];
-        const Fragment& b = set.fragments[leafBond.b];
-        bond.strength = std::min(a.strength, b.strength);
-        bond.toughness = std::min(a.toughness, b.toughness);
-        if (const auto said = lines.find({leafBond.a, leafBond.b}); said != lines.end()) {
-            bond.strength = static_cast<float>(said->second.strengthOr(bond.strength));
-            bond.toughness = static_cast<float>(said->second.toughnessOr(bond.toughness));
-        }
+        strengths.apply(set, bond);
         if (bond.area > 0) set.bonds.push_back(bond);
     }
 }

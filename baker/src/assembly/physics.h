@@ -2,8 +2,8 @@
 // Masses, colliders and bonds of a fracture set whose geometry and hierarchy are in place.
 #pragma once
 
+#include "assembly/bond_strengths.h"
 #include "assembly/hierarchy.h"
-#include "assembly/line_strengths.h"
 #include "sherd/baker/recipe.h"
 #include "sherd/formats/fracture_set.h"
 
@@ -23,7 +23,7 @@ void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSe
 
 /// Between leaves: walls they share, and sheets that face each other within `sheetTolerance`
 /// metres.
-void assembleBonds(const Hierarchy& hierarchy, const BorderStrengths& lines, double sheetTolerance,
-                   unsigned threads, FractureSet& set);
+void assembleBonds(const Hierarchy& hierarchy, const BondStrengths& strengths,
+                   double sheetTolerance, unsigned threads, FractureSet& set);
 
 }  // namespace sherd

@@ -12,7 +12,7 @@ bool readNames(RecipeReader& reader, const nlohmann::json& json, const std::stri
         return reader.wrong(pointer, "must be an object {\"outer material\": \"inner material\"}");
     for (const auto& [key, value] : json.items()) {
         if (!value.is_string())
-            return reader.wrong(std::string(pointer).append("/").append(key), "must be a string");
+            return reader.wrong(RecipeReader::below(pointer, key), "must be a string");
         names[key] = value.get<std::string>();
     }
     return true;
@@ -63,7 +63,7 @@ bool readInterior(RecipeReader& reader, const nlohmann::json& json, const std::s
     std::string type;
     bool flat = false;
     if (!reader.object(json, pointer,
-                       {{"type", reader.string(type)},
+                       {{"type", reader.word(type, {"medial", "shell", "solid"})},
                         {"shell",
                          [&](const nlohmann::json& j, const std::string& p) {
                              return readShell(reader, j, p, interior.shell);
@@ -99,9 +99,7 @@ bool readInterior(RecipeReader& reader, const nlohmann::json& json, const std::s
     }
     interior.normals = flat ? InteriorNormals::flat : InteriorNormals::smooth;
     if (type.empty()) return true;
-    const Result<InteriorType> parsed = parseInteriorType(type);
-    if (!parsed) return reader.wrong(pointer + "/type", ": " + parsed.error().message);
-    interior.type = *parsed;
+    interior.type = parseInteriorType(type).value();
     return true;
 }
 

@@ -16,6 +16,8 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
                             {"pattern", reader.string(pattern)},
                             {"cut", reader.string(cut)},
                             {"projection", reader.string(projection)},
+                            {"strength", reader.number(level.strength, 0, 1e15)},
+                            {"toughness", reader.number(level.toughness, 0, 1e15)},
                             {"name", reader.string(level.name)}}))
             return false;
         if ((map.empty() ? 0 : 1) + (pattern.empty() ? 0 : 1) + (cut.empty() ? 0 : 1) != 1)

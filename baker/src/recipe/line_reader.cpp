@@ -20,9 +20,9 @@ bool readLevelColors(RecipeReader& reader, const nlohmann::json& json, const std
                      Recipe& recipe) {
     if (!json.is_object()) return reader.wrong(pointer, "must be an object {\"#ff0000\": 2}");
     for (const auto& [color, level] : json.items()) {
-        if (!level.is_number_unsigned() || level < 1 || level > 64)
-            return reader.wrong((pointer + "/").append(color), "must be a level from 1 to 64");
-        recipe.levelOfColor.emplace_back(color, level.get<uint32_t>());
+        uint32_t& target = recipe.levelOfColor.emplace_back(color, 1).second;
+        if (!reader.integer(target, 1, 64)(level, RecipeReader::below(pointer, color)))
+            return false;
     }
     return true;
 }

@@ -11,4 +11,8 @@ namespace sherd {
 bool readPhysics(RecipeReader& reader, const nlohmann::json& json, const std::string& pointer,
                  PhysicsSettings& physics);
 
+/// By name. False after a mistake.
+bool readMaterials(RecipeReader& reader, const nlohmann::json& json, const std::string& pointer,
+                   std::map<std::string, PhysicalMaterial>& materials);
+
 }  // namespace sherd

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <glm/vec3.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sherd/formats/result.h"
 
@@ -27,20 +29,27 @@ class RecipeReader {
 
     // Fields for plain values: each fills its target, which outlives it.
     Field number(double& target, double low, double high);
+    Field number(std::optional<double>& target, double low, double high);
+    /// [x, y, z]
+    Field vector(glm::dvec3& target, double low, double high);
     template <class Integer>
     Field integer(Integer& target, int low, int high) {
         return [this, &target, low, high](const nlohmann::json& json, const std::string& pointer) {
             if (!isInteger(json, pointer, low, high)) return false;
-            target = json.get<Integer>();
+            target = static_cast<Integer>(json.get<double>());
             return true;
         };
     }
     Field boolean(bool& target);
     Field boolean(std::optional<bool>& target);
     Field string(std::string& target);
+    /// One of these words.
+    Field word(std::string& target, std::vector<std::string> words);
     /// One of two words; the second one is true.
     Field choice(bool& target, const std::string& no, const std::string& yes);
 
+    /// The pointer of a member, as RFC 6901 spells keys.
+    static std::string below(const std::string& pointer, const std::string& key);
     /// "wall.json#/levels/0/cut"
     std::string place(const std::string& pointer) const { return file_ + "#" + pointer; }
 

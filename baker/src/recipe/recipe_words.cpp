@@ -9,7 +9,7 @@ Result<InteriorType> parseInteriorType(std::string_view text) {
     if (text == "shell") return InteriorType::shell;
     if (text == "solid") return InteriorType::solid;
     return fail(ErrorCode::badArgument,
-                "\"" + std::string(text) + "\" is no way to close pieces: medial or solid");
+                "\"" + std::string(text) + "\" is no way to close pieces: medial, shell or solid");
 }
 
 Result<PageWrap> parsePageWrap(std::string_view text) {

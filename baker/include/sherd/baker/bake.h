@@ -19,7 +19,7 @@ namespace sherd {
 /// Called as stages begin, possibly from another thread than the caller's; share is 0..1.
 using Progress = std::function<void(const std::string& stage, double share)>;
 
-/// The materials of hidden faces, as glTF indices; -1 is the default material.
+/// The materials of a model and of hidden faces, as glTF indices; -1 is the default material.
 struct InteriorMaterials {
     InteriorMaterials() = default;
     /// One for all.
@@ -27,6 +27,8 @@ struct InteriorMaterials {
 
     std::map<int32_t, int32_t> below;  ///< material of the outer surface -> of what lies below it
     int32_t other = -1;                ///< below all other materials
+    /// What the model calls its materials, by their index; those without a name are left out.
+    std::map<int32_t, std::string> names;
 
     int32_t under(int32_t outer) const {
         const auto it = below.find(outer);
@@ -55,9 +57,20 @@ struct BakedFile {
     BakeReport report;
 };
 
-/// Bakes every mesh of a model along the same plan and hangs the fracture sets on the model's
-/// document. Hidden faces get the recipe's interior materials, or a neutral one that is added.
-/// Errors also: badArgument for materials that the model has not.
+/// How one mesh is broken. What it points to outlives the bake.
+struct BakeOrder {
+    const FracturePlan* plan = nullptr;
+    const Recipe* recipe = nullptr;
+};
+
+/// Bakes a model, an order per mesh, and hangs the fracture sets on the model's document. Hidden
+/// faces get the recipes' interior materials, or a neutral one that is added. Errors also:
+/// badArgument for materials that the model has not, and for anchors that hold no object of their
+/// recipe.
+Result<BakedFile> bakeModel(const Model& model, const std::vector<BakeOrder>& orders,
+                            const Progress& progress = {});
+
+/// The same order for every mesh.
 Result<BakedFile> bakeModel(const Model& model, const FracturePlan& plan, const Recipe& recipe,
                             const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/vec3.hpp>
 #include <map>
 #include <memory>
 #include <optional>
@@ -84,6 +85,33 @@ struct PhysicsSettings {
     double hullMargin = 0.01;    ///< metres at most; never above a tenth of the thinnest extent
 };
 
+/// What holds for pieces whose outer surface is mostly of one material, or that a label says are of
+/// it. What is not said is as in PhysicsSettings.
+struct PhysicalMaterial {
+    std::optional<double> density;      ///< kg/m^3
+    std::optional<double> friction;     ///< static and dynamic
+    std::optional<double> restitution;  ///< 0..1
+    std::optional<double> strength;     ///< Pa
+    std::optional<double> toughness;    ///< J/m^2
+};
+
+/// Where the world holds the object. Places are those of the scene, metres.
+struct RecipeAnchor {
+    enum class Kind : uint8_t {
+        below,  ///< the outer surface below a plane
+        box,    ///< the outer surface in a box along the scene's axes
+        label   ///< a piece by its name
+    };
+    Kind kind = Kind::below;
+    glm::dvec3 point{0.0};             ///< below: on the plane
+    glm::dvec3 normal{0.0, 1.0, 0.0};  ///< below: upwards from it, of any length
+    glm::dvec3 low{0.0}, high{0.0};    ///< box: its corners
+    std::string label;                 ///< label: the name
+    std::optional<double> strength;    ///< Pa; else the held piece's own
+    std::optional<double> toughness;   ///< J/m^2; else the held piece's own
+    std::string where;                 ///< its pointer in the recipe, for messages
+};
+
 /// Which lines a point outside the drawing's page meets.
 enum class PageWrap : uint8_t {
     texture,  ///< those that the picture of its material shows there; without a picture, repeat
@@ -100,15 +128,22 @@ struct RecipeLevel {
     Projection projection;      ///< how the drawing lies on the object
     std::optional<Pattern> pattern;
     std::optional<VolumeCut> cut;
+    // Of bonds between pieces that part at this level. Lines and labels of drawings win.
+    std::optional<double> strength;   ///< Pa
+    std::optional<double> toughness;  ///< J/m^2
 };
 
 /// Everything a bake can be told. Defaults are the command line's.
 struct Recipe {
     std::string file;                 ///< where it was read from, for messages; empty: nowhere
+    std::string pointer;              ///< of the recipe in that file; empty: it is the whole file
     std::vector<RecipeLevel> levels;  ///< coarse to fine; empty: the maps given on the command line
     InteriorSettings interior;
     PhysicsSettings physics;
-    double curveTolerance = 1e-4;  ///< curve to flattened line, UV units
+    /// By name, as the model's materials or drawings' labels have it.
+    std::map<std::string, PhysicalMaterial> materials;
+    std::vector<RecipeAnchor> anchors;  ///< a place that several hold belongs to the first
+    double curveTolerance = 1e-4;       ///< curve to flattened line, UV units
     double seamJoinShare =
         0.005;  ///< ends nearer than this share of the diagonal are joined across a seam
     double minimumComponentShare = 1e-5;  ///< of the surface: smaller components join a neighbour
@@ -123,10 +158,17 @@ struct Recipe {
     std::vector<std::pair<std::string, uint32_t>> levelOfColor;  ///< see MapReadOptions
     bool capHoles = false;   ///< close the holes of open meshes by hidden faces
     bool allowOpen = false;  ///< bake meshes with open or non-manifold edges; borders get a rim
+    /// Metres per unit of the scene; empty: 1, as glTF has it. Another one puts the whole scene
+    /// below a node that scales it, before anything else: what a recipe or drawing says is in
+    /// metres.
+    std::optional<double> unitScale;
     /// Whether the report also gets the measures that take time: coverage, protrusion,
     /// self-intersections, thickness. Empty: `sherd-bake` takes them if a report is written.
     std::optional<bool> measure;
     unsigned threads = 2;  ///< at most; results do not depend on it
+
+    /// Where a part of it stands, for messages: "wall.json#/levels/0".
+    std::string place(const std::string& inner) const { return file + "#" + pointer + inner; }
 };
 
 /// "medial". Error badArgument.
