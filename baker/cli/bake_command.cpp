@@ -14,6 +14,7 @@
 #include "command_files.h"
 #include "exit_codes.h"
 #include "level_arguments.h"
+#include "object_recipes.h"
 #include "print_finding.h"
 #include "sherd/baker/bake.h"
 #include "sherd/formats/glb_write.h"
@@ -28,6 +29,7 @@ struct BakeArguments {
     std::string interior, interiorMaterial;
     std::optional<double> shellThickness;
     std::optional<double> density;
+    std::optional<double> unitScale;
     std::optional<unsigned> threads;
     bool thesis = false;
     bool allowOpen = false;
@@ -59,29 +61,35 @@ class ProgressLine {
     std::mutex mutex_;
 };
 
-Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
-    Result<Recipe> recipe = recipeOf(arguments.lines);
-    if (!recipe) return recipe;
-    if (arguments.density) recipe->physics.density = *arguments.density;
-    if (arguments.threads) recipe->threads = *arguments.threads;
+/// Over a recipe, what the command line says of all but lines.
+Result<void> adjustSettings(const BakeArguments& arguments, Recipe& recipe) {
+    if (arguments.density) recipe.physics.density = *arguments.density;
+    if (arguments.threads) recipe.threads = *arguments.threads;
     if (!arguments.interior.empty()) {
         const Result<InteriorType> type = parseInteriorType(arguments.interior);
         if (!type) return fail(type.error().code, "--interior: " + type.error().message);
-        recipe->interior.type = *type;
+        recipe.interior.type = *type;
     }
-    if (arguments.shellThickness) recipe->interior.shell.thickness = *arguments.shellThickness;
-    ShellSettings& shell = recipe->interior.shell;
+    if (arguments.shellThickness) recipe.interior.shell.thickness = *arguments.shellThickness;
+    ShellSettings& shell = recipe.interior.shell;
     if (!shell.texture.empty()) {
         Result<GreyImage> picture = readGreyImage(shell.texture);
         if (!picture) return tl::unexpected(picture.error());
         shell.picture = std::make_shared<const GreyImage>(std::move(*picture));
     }
-    recipe->interior.thesis = recipe->interior.thesis || arguments.thesis;
-    recipe->allowOpen = recipe->allowOpen || arguments.allowOpen;
-    recipe->capHoles = recipe->capHoles || arguments.capHoles;
-    if (arguments.measure) recipe->measure = true;
-    if (!recipe->measure) recipe->measure = !arguments.report.empty();
-    if (!arguments.interiorMaterial.empty()) recipe->interior.material = arguments.interiorMaterial;
+    recipe.interior.thesis = recipe.interior.thesis || arguments.thesis;
+    recipe.allowOpen = recipe.allowOpen || arguments.allowOpen;
+    recipe.capHoles = recipe.capHoles || arguments.capHoles;
+    if (arguments.measure) recipe.measure = true;
+    if (!recipe.measure) recipe.measure = !arguments.report.empty();
+    if (!arguments.interiorMaterial.empty()) recipe.interior.material = arguments.interiorMaterial;
+    return {};
+}
+
+Result<Recipe> gatherRecipe(const BakeArguments& arguments) {
+    Result<Recipe> recipe = recipeOf(arguments.lines);
+    if (!recipe) return recipe;
+    if (auto ok = adjustSettings(arguments, *recipe); !ok) return tl::unexpected(ok.error());
     return recipe;
 }
 
@@ -180,6 +188,8 @@ class ReportFile {
 /// said at its start. The model itself may be the output: its document is kept.
 Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) {
     std::vector<std::filesystem::path> inputs = {arguments.lines.recipe};
+    // A recipe that stands in the model is no file of its own.
+    if (recipe.pointer.empty()) inputs.emplace_back(recipe.file);
     for (const RecipeLevel& level : recipe.levels)
         if (!level.map.empty()) inputs.push_back(level.map);
     for (const std::filesystem::path* output : {&arguments.output, &arguments.report}) {
@@ -206,37 +216,66 @@ Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) 
     return {};
 }
 
+/// The scene as the command line wants it, with the recipes its objects bring unless one was given
+/// for all.
+Result<Model> readModel(const BakeArguments& arguments, const Recipe& common) {
+    ImportOptions options = arguments.import;
+    options.nodeRecipes = arguments.lines.recipe.empty();
+    options.wholeScene = !arguments.lines.levels.empty();
+    options.anchors = common.anchors;
+    options.unitScale = arguments.unitScale ? arguments.unitScale : common.unitScale;
+    Result<Model> model = importModel(arguments.model, options);
+    if (model && model->unreadRecipes > 0)
+        model->meshes.front().warnings.push_back(
+            "the recipes that the scene carries (" + std::to_string(model->unreadRecipes) +
+            ") were left out: --recipe says how everything breaks");
+    return model;
+}
+
+Result<ObjectRecipes> gatherRecipes(const BakeArguments& arguments, const Recipe& common,
+                                    Model& model) {
+    const auto adjust = [&arguments](Recipe& recipe) {
+        const Result<void> lines = adjustOwnRecipe(arguments.lines, recipe);
+        return lines ? adjustSettings(arguments, recipe) : lines;
+    };
+    Result<ObjectRecipes> objects = recipesOfObjects(common, model, adjust);
+    if (!objects) return objects;
+    for (const Recipe& recipe : objects->recipes)
+        if (auto ok = checkOutputs(arguments, recipe); !ok) return tl::unexpected(ok.error());
+    return objects;
+}
+
+/// A shell's thickness that nothing needs.
+void reportIdleThickness(const std::vector<BakeOrder>& orders, BakeReport& report) {
+    for (size_t i = 0; i < orders.size(); ++i) {
+        const Recipe& recipe = *orders[i].recipe;
+        if (recipe.interior.type == InteriorType::shell || recipe.allowOpen) continue;
+        report.objects[i].findings.push_back(
+            {"shell-unused",
+             "a shell's thickness was given, but nothing got a shell: ask for one with --interior "
+             "shell",
+             "", 1});
+    }
+}
+
 Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& progress) {
-    const Result<Recipe> recipe = gatherRecipe(arguments);
-    if (!recipe) return tl::unexpected(recipe.error());
-    if (auto writable = checkOutputs(arguments, *recipe); !writable)
+    const Result<Recipe> common = gatherRecipe(arguments);
+    if (!common) return tl::unexpected(common.error());
+    if (auto writable = checkOutputs(arguments, *common); !writable)
         return tl::unexpected(writable.error());
     progress("reading", 0);
-    Result<Model> model = importModel(arguments.model, arguments.import);
+    Result<Model> model = readModel(arguments, *common);
     if (!model) return tl::unexpected(model.error());
-    if (!chooseLines(*recipe, *model)) {
-        return fail(ErrorCode::badArgument,
-                    "there is nothing to cut along: draw lines and name them with --map, take a "
-                    "--pattern (voronoi:12), model lines on the object, --cut through its volume "
-                    "(voronoi:12), or give a recipe with levels");
-    }
-    const Result<FracturePlan> plan = readPlan(*recipe);
-    if (!plan) return tl::unexpected(plan.error());
-    Result<BakedFile> baked = bakeModel(*model, *plan, *recipe, progress);
+    const Result<ObjectRecipes> objects = gatherRecipes(arguments, *common, *model);
+    if (!objects) return tl::unexpected(objects.error());
+    Result<BakedFile> baked = bakeModel(*model, objects->orders, progress);
     if (!baked) {
         Error error = baked.error();
         error.where = arguments.model.string() + (error.where.empty() ? "" : ", ") + error.where;
         return tl::unexpected(std::move(error));
     }
     baked->report.source = arguments.model.string();
-    if (arguments.shellThickness && recipe->interior.type != InteriorType::shell &&
-        !recipe->allowOpen) {
-        for (BakedObjectReport& object : baked->report.objects)
-            object.findings.push_back({"shell-unused",
-                                       "a shell's thickness was given, but nothing got a shell: "
-                                       "ask for one with --interior shell",
-                                       "", 1});
-    }
+    if (arguments.shellThickness) reportIdleThickness(objects->orders, baked->report);
     return baked;
 }
 
@@ -306,6 +345,11 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
             "--density", arguments->density,
             "kg/m3 (default " + std::to_string(static_cast<int>(defaults.physics.density)) + ")")
         ->check(inRange(1e-6, 1e9));
+    command
+        ->add_option("--unit-scale", arguments->unitScale,
+                     "Metres per unit of the model, 0.01 for centimetres (default 1, as glTF has "
+                     "it): the baked scene is scaled to metres, by one node above all")
+        ->check(inRange(1e-6, 1e6));
     command->add_flag("--cap-holes", arguments->capHoles,
                       "Close the holes of an open mesh by hidden faces; the intact object stays as "
                       "it is. At most 64 holes; with --allow-open those that cannot be stay open");
@@ -325,6 +369,8 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
         "voronoi:50:7\n"
         "  sherd-bake bake stone.glb -o stone_baked.glb --cut voronoi:8 --cut voronoi:6\n"
         "  sherd-bake bake plank.glb -o plank_baked.glb --map cracks.png --projection planar:z\n"
+        "  sherd-bake bake scene.glb -o scene_baked.glb     (its nodes carry recipes: "
+        "extras.sherd)\n"
         "  sherd-bake bake town.glb --node Wall -o town_baked.glb --recipe wall.json --report "
         "report.json");
     command->callback([arguments, command, &exitCode] {

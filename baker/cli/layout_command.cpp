@@ -92,7 +92,9 @@ Result<void> layOut(const LayoutArguments& arguments) {
     const Result<Recipe> recipe = recipeOf(arguments.lines);
     if (!recipe) return tl::unexpected(recipe.error());
     if (auto ok = checkOutput(arguments, *recipe); !ok) return ok;
-    Result<Model> model = importModel(arguments.model, arguments.import);
+    ImportOptions import = arguments.import;
+    import.unitScale = recipe->unitScale;
+    Result<Model> model = importModel(arguments.model, import);
     if (!model) return tl::unexpected(model.error());
 
     std::vector<std::string> warnings;

@@ -10,12 +10,17 @@
 namespace sherd::cli {
 namespace {
 
-/// What options say in words of their own.
-Result<void> readTexts(const LevelArguments& arguments, Recipe& recipe) {
+/// The levels that the command line names.
+Result<void> takeLevels(const LevelArguments& arguments, Recipe& recipe) {
     const Result<Projection> projection = parseProjection(arguments.projection);
     if (!projection) return tl::unexpected(projection.error());
-    if (arguments.recipe.empty())
-        for (RecipeLevel& level : recipe.levels) level.projection = *projection;
+    recipe.levels = arguments.levels;
+    for (RecipeLevel& level : recipe.levels) level.projection = *projection;
+    return {};
+}
+
+/// What options say in words of their own.
+Result<void> readTexts(const LevelArguments& arguments, Recipe& recipe) {
     for (const std::string& text : arguments.levelColors) {
         const size_t equals = text.rfind('=');
         uint32_t level = 0;
@@ -165,15 +170,20 @@ Result<Recipe> recipeOf(const LevelArguments& arguments) {
         recipe = std::move(*read);
     }
     if (recipe.levels.empty()) {
-        recipe.levels = arguments.levels;
+        if (auto ok = takeLevels(arguments, recipe); !ok) return tl::unexpected(ok.error());
     } else if (!arguments.levels.empty()) {
         std::fprintf(stderr,
                      "sherd-bake: the recipe names its own levels; those of %s, --pattern "
                      "and --cut are left out\n",
                      arguments.drawingOption.c_str());
     }
-    if (const Result<void> read = readTexts(arguments, recipe); !read)
-        return tl::unexpected(read.error());
+    if (const Result<void> done = adjustLines(arguments, recipe); !done)
+        return tl::unexpected(done.error());
+    return recipe;
+}
+
+Result<void> adjustLines(const LevelArguments& arguments, Recipe& recipe) {
+    if (const Result<void> read = readTexts(arguments, recipe); !read) return read;
     if (arguments.curveTolerance) recipe.curveTolerance = *arguments.curveTolerance;
     if (arguments.seamJoinShare) recipe.seamJoinShare = *arguments.seamJoinShare;
     if (arguments.closeGaps) recipe.closeGaps = *arguments.closeGaps;
@@ -186,7 +196,14 @@ Result<Recipe> recipeOf(const LevelArguments& arguments) {
     recipe.bitmap.curves = recipe.bitmap.curves || arguments.bitmapCurves;
     recipe.modelLines = recipe.modelLines && !arguments.noModelLines;
     recipe.splitParts = recipe.splitParts || arguments.splitParts;
-    return recipe;
+    return {};
+}
+
+Result<void> adjustOwnRecipe(const LevelArguments& arguments, Recipe& recipe) {
+    if (!arguments.levels.empty()) {
+        if (auto ok = takeLevels(arguments, recipe); !ok) return ok;
+    }
+    return adjustLines(arguments, recipe);
 }
 
 Result<FracturePlan> readPlan(const Recipe& recipe) {

@@ -52,6 +52,12 @@ Result<void> orderLevels(const CLI::App& command, LevelArguments& arguments);
 /// lines.
 Result<Recipe> recipeOf(const LevelArguments& arguments);
 
+/// Over a recipe's settings, what the command line says of how lines are taken.
+Result<void> adjustLines(const LevelArguments& arguments, Recipe& recipe);
+
+/// Over a recipe that an object brought, what the command line says of levels and lines.
+Result<void> adjustOwnRecipe(const LevelArguments& arguments, Recipe& recipe);
+
 /// Reads the drawings of a recipe's levels.
 Result<FracturePlan> readPlan(const Recipe& recipe);
 

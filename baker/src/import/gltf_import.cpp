@@ -20,12 +20,13 @@ namespace {
 class GltfImporter {
   public:
     GltfImporter(const GltfSource& source, const std::vector<int>& parents,
-                 const ImportOptions& options)
+                 const ImportOptions& options, const NodeRecipes& recipes)
         : source_(source),
           parents_(parents),
           options_(options),
+          recipes_(recipes),
           transforms_(source, parents),
-          objects_(source, lineNodes_, options.join) {}
+          objects_(source, lineNodes_, recipes, options) {}
 
     Result<std::vector<SurfaceMesh>> run() {
         auto chosen = chooseNodes(source_, parents_, options_);
@@ -33,6 +34,8 @@ class GltfImporter {
         // A scene that makes no sense is no reason to refuse nodes chosen by hand.
         const auto scene = nodesOfScene(source_, parents_);
         lineNodes_ = findLineNodes(source_, parents_, scene ? *scene : std::vector<int>());
+        warnings_ = recipes_.warnings;
+        leaveWhole(*chosen);
         for (const int index : *chosen) {
             if (auto ok = addNode(index); !ok) return tl::unexpected(ok.error());
         }
@@ -68,6 +71,24 @@ class GltfImporter {
             ErrorCode::noTriangles,
             "the mesh has no triangles; choose another node with --node: " + listMeshNodes(source_),
             source_.where("/meshes/" + std::to_string(node(index).mesh)));
+    }
+
+    /// Where objects bring recipes, the others are not meant to break.
+    void leaveWhole(std::vector<int>& chosen) {
+        const bool all = recipes_.recipes.empty() || options_.wholeScene || options_.join;
+        if (all || !options_.nodes.empty()) return;
+        std::string names;
+        size_t count = 0;
+        std::erase_if(chosen, [&](int index) {
+            const bool drawnOn =
+                hasLines(source_, node(index).mesh) || lineNodes_.below.count(index) > 0;
+            if (recipes_.of(index) >= 0 || drawnOn) return false;
+            if (++count <= 10) names += (names.empty() ? "" : ", ") + labelOfNode(source_, index);
+            return true;
+        });
+        if (count == 0) return;
+        warnings_.push_back("left whole, having no recipe: " + names +
+                            (count > 10 ? " and " + std::to_string(count - 10) + " more" : ""));
     }
 
     /// Nobody asked for this node in particular: lines and points may stand in a scene.
@@ -228,6 +249,7 @@ class GltfImporter {
     const GltfSource& source_;
     const std::vector<int>& parents_;
     const ImportOptions& options_;
+    const NodeRecipes& recipes_;
     GlobalTransforms transforms_;
     LineNodes lineNodes_;
     SceneObjects objects_;
@@ -238,12 +260,13 @@ class GltfImporter {
 }  // namespace
 
 Result<std::vector<SurfaceMesh>> importGltf(const GltfDocument& document, const std::string& name,
-                                            const ImportOptions& options) {
+                                            const ImportOptions& options,
+                                            const NodeRecipes& recipes) {
     auto source = parseGltfSource(document, name);
     if (!source) return tl::unexpected(source.error());
     auto parents = nodeParents(*source);
     if (!parents) return tl::unexpected(parents.error());
-    return GltfImporter(*source, *parents, options).run();
+    return GltfImporter(*source, *parents, options, recipes).run();
 }
 
 }  // namespace sherd

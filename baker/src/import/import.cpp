@@ -7,7 +7,9 @@
 #include <fstream>
 
 #include "import/gltf_import.h"
+#include "import/node_recipes.h"
 #include "import/obj_import.h"
+#include "import/unit_scale.h"
 
 namespace sherd {
 namespace {
@@ -46,9 +48,25 @@ Result<Model> importByKind(const std::filesystem::path& path, const ImportOption
     if (!document) return tl::unexpected(document.error());
     Model model;
     model.document = std::move(*document);
-    auto meshes = importGltf(model.document, path.filename().string(), options);
+    NodeRecipes recipes;
+    if (options.nodeRecipes) {
+        auto read = readNodeRecipes(model.document, path, options);
+        if (!read) return tl::unexpected(read.error());
+        recipes = std::move(*read);
+    } else {
+        model.unreadRecipes = countNodeRecipes(model.document);
+    }
+    const std::string name = path.filename().string();
+    if (const auto unit = options.unitScale ? options.unitScale : recipes.unitScale) {
+        if (auto ok = scaleScenes(model.document, name, *unit); !ok)
+            return tl::unexpected(ok.error());
+    }
+    auto meshes = importGltf(model.document, name, options, recipes);
     if (!meshes) return tl::unexpected(meshes.error());
     model.meshes = std::move(*meshes);
+    for (const SurfaceMesh& mesh : model.meshes)
+        model.recipeOfMesh.push_back(recipes.of(mesh.node));
+    model.recipes = std::move(recipes.recipes);
     return model;
 }
 

@@ -12,6 +12,7 @@
 #include "import/obj_materials.h"
 #include "import/obj_parse.h"
 #include "import/polygon_triangulation.h"
+#include "import/unit_scale.h"
 
 namespace sherd {
 namespace {
@@ -146,6 +147,13 @@ Result<std::vector<MeshPart>> makeParts(const ObjFile& file, const std::string& 
     return parts;
 }
 
+/// As the node above scales it.
+void scale(SurfaceMesh& mesh, double metres) {
+    for (glm::vec3& p : mesh.positions) p = glm::vec3(glm::dvec3(p) * metres);
+    for (FractureMap::SurfaceLine& line : mesh.lines)
+        for (SurfacePlace& place : line.places) place.point *= metres;
+}
+
 }  // namespace
 
 Result<Model> importObj(std::string_view text, const std::filesystem::path& path,
@@ -174,6 +182,12 @@ Result<Model> importObj(std::string_view text, const std::filesystem::path& path
     const auto materials = loadObjMaterials(file->materialNames, file->materialFiles,
                                             path.parent_path(), mesh.warnings);
     model.document = makeDocument(mesh, materials);
+    if (options.unitScale) {
+        if (auto ok = scaleScenes(model.document, name, *options.unitScale); !ok)
+            return tl::unexpected(ok.error());
+        scale(mesh, *options.unitScale);
+    }
+    model.recipeOfMesh.push_back(-1);
     return model;
 }
 

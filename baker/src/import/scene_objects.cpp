@@ -2,13 +2,46 @@
 #include "import/scene_objects.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "import/node_choice.h"
 
 namespace sherd {
 
+namespace {
+
+/// Whether a plane of the scene looks the same from two objects.
+bool looksAlike(const glm::dvec3& point, const glm::dvec3& normal, const NodeTransform& a,
+                const NodeTransform& b) {
+    const glm::dvec3 seenA = glm::inverse(a.rotation) * normal;
+    const glm::dvec3 seenB = glm::inverse(b.rotation) * normal;
+    const double heightA = glm::dot(normal, a.translation - point);
+    const double heightB = glm::dot(normal, b.translation - point);
+    return glm::distance(seenA, seenB) < 1e-6 &&
+           std::abs(heightA - heightB) < 1e-6 * (1 + std::abs(heightA));
+}
+
+bool heldAlike(const std::vector<RecipeAnchor>& anchors, const NodeTransform& a,
+               const NodeTransform& b) {
+    return std::all_of(anchors.begin(), anchors.end(), [&](const RecipeAnchor& anchor) {
+        if (anchor.kind == RecipeAnchor::Kind::label) return true;
+        if (anchor.kind == RecipeAnchor::Kind::below)
+            return looksAlike(anchor.point, glm::normalize(anchor.normal), a, b);
+        bool alike = true;
+        for (int k = 0; k < 3; ++k) {
+            glm::dvec3 axis(0.0);
+            axis[k] = 1;
+            alike = alike && looksAlike(anchor.low, axis, a, b);
+        }
+        return alike;
+    });
+}
+
+}  // namespace
+
 void SceneObjects::add(int node, const NodeTransform& transform) {
-    if (join_ && !objects_.empty()) {
+    if (options_.join && !objects_.empty()) {
         objects_.front().joined.push_back(node);
         return;
     }
@@ -30,6 +63,14 @@ bool SceneObjects::joinsTwin(SceneObject& object) {
             reason = "with other lines below it";
             continue;
         }
+        if (recipes_.of(other.node) != recipes_.of(object.node)) {
+            reason = "by another recipe";
+            continue;
+        }
+        if (!heldAlike(anchorsOf(object.node), other.transform, object.transform)) {
+            reason = "where anchors hold it otherwise";
+            continue;
+        }
         int further = object.node;
         // A reader takes the pose of a fracture set for that of the lowest node carrying it.
         if (further < other.node) {
@@ -43,6 +84,11 @@ bool SceneObjects::joinsTwin(SceneObject& object) {
                               labelOfNode(source_, objects_[found->second.front()].node) + " " +
                               reason + "; it is broken separately");
     return false;
+}
+
+const std::vector<RecipeAnchor>& SceneObjects::anchorsOf(int node) const {
+    const int32_t own = recipes_.of(node);
+    return own < 0 ? options_.anchors : recipes_.recipes[static_cast<size_t>(own)].anchors;
 }
 
 /// The meshes of the line nodes below an object.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "import/line_nodes.h"
+#include "import/node_recipes.h"
 #include "import/node_transforms.h"
 
 namespace sherd {
@@ -19,13 +20,14 @@ struct SceneObject {
     std::vector<std::string> warnings;
 };
 
-/// Sorts mesh nodes into objects. Nodes that show one mesh at one scale are one object seen several
-/// times: it is broken once.
+/// Sorts mesh nodes into objects. Nodes that show one mesh at one scale and break by one recipe are
+/// one object seen several times: it is broken once.
 class SceneObjects {
   public:
-    /// All outlive this. `join`: whatever is added is one object.
-    SceneObjects(const GltfSource& source, const LineNodes& lineNodes, bool join)
-        : source_(source), lineNodes_(lineNodes), join_(join) {}
+    /// All outlive this.
+    SceneObjects(const GltfSource& source, const LineNodes& lineNodes, const NodeRecipes& recipes,
+                 const ImportOptions& options)
+        : source_(source), lineNodes_(lineNodes), recipes_(recipes), options_(options) {}
 
     void add(int node, const NodeTransform& transform);
     std::vector<SceneObject>& all() { return objects_; }
@@ -33,11 +35,13 @@ class SceneObjects {
   private:
     bool joinsTwin(SceneObject& object);
     std::vector<int> lineMeshes(int object) const;
+    const std::vector<RecipeAnchor>& anchorsOf(int node) const;
     int meshOf(int node) const { return source_.model.nodes[static_cast<size_t>(node)].mesh; }
 
     const GltfSource& source_;
     const LineNodes& lineNodes_;
-    bool join_;
+    const NodeRecipes& recipes_;
+    const ImportOptions& options_;
     std::vector<SceneObject> objects_;
     std::unordered_map<int, std::vector<size_t>> objectsOfMesh_;
 };
