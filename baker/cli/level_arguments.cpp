@@ -135,9 +135,10 @@ void addLevelOptions(CLI::App& command, const std::string& drawingOption,
                         ":near=X,Y,Z, :within=METRES or :name=NAME to choose pieces; behind all "
                         "levels of lines")
             ->allow_extra_args(false);
-    command.add_option("--recipe", arguments.recipe,
-                       "Levels and settings as JSON; its levels win over " + drawingOption +
-                           ", other options win over it");
+    command.add_option(
+        "--recipe", arguments.recipe,
+        "Levels and settings as JSON; its levels win over " + drawingOption +
+            ", other options win over it. Recipes that the scene's nodes carry are left out");
     addLineOptions(command, arguments);
     addBitmapOptions(command, arguments);
 }

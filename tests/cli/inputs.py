@@ -213,6 +213,35 @@ def two_sights_glb(scale=1):
     return document.glb()
 
 
+def cubes_with_recipes_glb(recipes, on='nodes'):
+    """Cubes in a row on the ground; the extras.sherd of each one's node (or mesh), None for none."""
+    document = _Document()
+    for i, recipe in enumerate(recipes):
+        document.add_mesh(cube_mesh(2), f'cube {i}', translation=[3 * i, 0.5, 0])
+        if recipe is not None:
+            document.json[on][i]['extras'] = {'sherd': recipe, 'other': 1}
+    return document.glb()
+
+
+def one_cube_with_recipes_glb(recipes):
+    """The same, but all nodes show one mesh."""
+    document, binary = unpack_glb(cubes_with_recipes_glb(recipes[:1]))
+    for i, recipe in enumerate(recipes[1:], 1):
+        node = {'mesh': 0, 'translation': [3 * i, 0.5, 0]}
+        if recipe is not None:
+            node['extras'] = {'sherd': recipe}
+        document['nodes'].append(node)
+        document['scenes'][0]['nodes'].append(i)
+    return pack_glb(document, binary)
+
+
+def centimetre_cube_glb():
+    """A cube of a metre, in centimetres; it stands on the ground, 3 m from the origin."""
+    document = _Document()
+    document.add_mesh(cube_mesh(2, 100), 'block', translation=[300, 50, 0])
+    return document.glb()
+
+
 def skinned_cube_glb():
     """Defect: a skin with one joint moves the cube."""
     document = _Document()

@@ -11,26 +11,8 @@ HALVES = {'levels': [{'cut': 'slices:1x2x1'}]}
 QUARTERS = {'levels': [{'cut': 'slices:2x1x2', 'name': 'quarters'}]}
 
 
-def scene(recipes, on='nodes'):
-    """Cubes in a row, each with what its node's (or mesh's) extras.sherd is, if anything."""
-    document = inputs._Document()
-    for i, recipe in enumerate(recipes):
-        document.add_mesh(inputs.cube_mesh(2), f'cube {i}', translation=[3 * i, 0.5, 0])
-        if recipe is not None:
-            document.json[on][i]['extras'] = {'sherd': recipe, 'other': 1}
-    return document.glb()
-
-
-def same_mesh(recipes):
-    """One mesh shown by as many nodes as there are recipes."""
-    document, binary = inputs.unpack_glb(scene(recipes[:1]))
-    for i, recipe in enumerate(recipes[1:], 1):
-        node = {'mesh': 0, 'translation': [3 * i, 0.5, 0]}
-        if recipe is not None:
-            node['extras'] = {'sherd': recipe}
-        document['nodes'].append(node)
-        document['scenes'][0]['nodes'].append(i)
-    return inputs.pack_glb(document, binary)
+scene = inputs.cubes_with_recipes_glb
+same_mesh = inputs.one_cube_with_recipes_glb
 
 
 class SceneRecipes(CommandCase):
@@ -158,17 +140,16 @@ class SceneRecipes(CommandCase):
             document, objects = self.bake(inputs.pack_glb(raised, binary), *extra)
             self.assertEqual(self.carriers(document), {0: 0, 1: 1, 2: 0})
             self.assertIn('where anchors hold it otherwise', self.findings(objects))
-        floating = dict(HALVES, anchors=[{'below': 0.1}, {'box': {'min': [9, 9, 9], 'max': [10, 10, 10]}}])
+        floating = dict(HALVES, anchors=[
+            {'below': 0.1}, {'box': {'min': [9, 9, 9], 'max': [10, 10, 10]}}])
         model = self.write('scene.glb', scene([None, floating]))
         self.refuse(['bake', model, '-o', self.out], 'BadArgument',
                     ['scene.glb#/nodes/1/extras/sherd/anchors/1', 'holds nothing',
                      'from (2.5, 0, -0.5) to (3.5, 1, 0.5)'])
 
     def test_a_scene_in_centimetres_becomes_one_in_metres(self):
-        document = inputs._Document()
-        document.add_mesh(inputs.cube_mesh(2, 100), 'block', translation=[300, 50, 0])
-        before = document.json
-        data = document.glb()
+        data = inputs.centimetre_cube_glb()
+        before, _ = inputs.unpack_glb(data)
         recipe = {'unitScale': 0.01, 'levels': HALVES['levels'], 'anchors': [{'below': 0.1}]}
         path = self.write('r.json', json.dumps(recipe).encode())
         baked, objects = self.bake(data, '--recipe', path)

@@ -56,14 +56,9 @@ bool isJsonText(const std::string& text) {
 Result<Recipe> fromText(const std::string& text, const RecipePlace& place) {
     if (text.size() > kLongestText)
         return fail(ErrorCode::limitExceeded, "the recipe is longer than 1 MiB", place.text());
-    Json json;
-    try {
-        json = Json::parse(text, nullptr, true, true);
-    } catch (const Json::exception& e) {
-        return fail(ErrorCode::malformed, std::string("the recipe is not valid JSON: ") + e.what(),
-                    place.text());
-    }
-    return written(json, place);
+    const Result<Json> json = parseJson(text, place.model.string(), place.pointer);
+    if (!json) return tl::unexpected(json.error());
+    return written(*json, place);
 }
 
 Result<Recipe> fromFile(const std::string& text, const RecipePlace& place) {

@@ -20,14 +20,9 @@ using Json = nlohmann::json;
 }  // namespace
 
 Result<Recipe> parseRecipe(std::string_view text, const std::string& name) {
-    Json json;
-    try {
-        json = Json::parse(text, nullptr, true, true);
-    } catch (const Json::exception& e) {
-        return fail(ErrorCode::malformed, std::string("the recipe is not valid JSON: ") + e.what(),
-                    name);
-    }
-    return recipeOf(json, name, "");
+    const Result<Json> json = parseJson(text, name, "");
+    if (!json) return tl::unexpected(json.error());
+    return recipeOf(*json, name, "");
 }
 
 Result<Recipe> recipeOf(const Json& json, const std::string& file, const std::string& pointer) {

@@ -6,10 +6,16 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "sherd/baker/recipe.h"
 
 namespace sherd {
+
+/// Reads JSON with comments. A key that stands twice in one object is an error: all but the last
+/// would be lost unseen. Errors malformed, invalidData.
+Result<nlohmann::json> parseJson(std::string_view text, const std::string& file,
+                                 const std::string& pointer);
 
 /// `file` and `pointer`: where the JSON stands, for messages. Paths are left as they are written.
 Result<Recipe> recipeOf(const nlohmann::json& json, const std::string& file,

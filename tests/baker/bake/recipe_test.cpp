@@ -57,6 +57,16 @@ TEST_CASE("a recipe may hold comments and sets what it names") {
 TEST_CASE("a bad recipe is refused with the pointer of the culprit and what would be right") {
     CHECK(errorOf("{").code == ErrorCode::malformed);
     CHECK(errorOf("[]").where == "r.json#");
+    CHECK(errorOf(R"({"physics": {}, "interior": {}, "physics": {}})").where == "r.json#/physics");
+    const Error twice = errorOf(R"({"levels": [{"cut": "voronoi:2"}, [{}, 3],
+                                    {"cut": "voronoi:2", "name": "a", "cut": "voronoi:3"}]})");
+    CHECK(twice.where == "r.json#/levels/2/cut");
+    CHECK(twice.message.find("twice") != std::string::npos);
+    // The same key in objects beside or below each other is none.
+    CHECK(parseRecipe(R"({"levels": [{"cut": "voronoi:2"}, {"cut": "voronoi:2"}],
+                          "interior": {"material": "a", "materials": {"material": "b"}}})",
+                      "r.json")
+              .has_value());
     const Error unknown = errorOf(R"({"physics": {"weight": 1}})");
     CHECK(unknown.where == "r.json#/physics/weight");
     CHECK(unknown.message.find("density") != std::string::npos);
