@@ -184,7 +184,7 @@ Result<Recipe> recipeOf(const LevelArguments& arguments) {
 }
 
 Result<void> adjustLines(const LevelArguments& arguments, Recipe& recipe) {
-    if (const Result<void> read = readTexts(arguments, recipe); !read) return read;
+    if (auto read = readTexts(arguments, recipe); !read) return read;
     if (arguments.curveTolerance) recipe.curveTolerance = *arguments.curveTolerance;
     if (arguments.seamJoinShare) recipe.seamJoinShare = *arguments.seamJoinShare;
     if (arguments.closeGaps) recipe.closeGaps = *arguments.closeGaps;

@@ -94,6 +94,7 @@ const char* const kRecipeSchema = R"({
   "type": "object",
   "additionalProperties": false,
   "properties": {
+    "$schema": {"description": "where this schema is, for editors", "type": "string"},
     "levels": {
       "description": "Coarse to fine, each dividing the pieces of the one before. Levels of lines (map, pattern) come before those of cuts.",
       "type": "array", "minItems": 1,

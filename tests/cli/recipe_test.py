@@ -76,7 +76,7 @@ class Recipes(CommandCase):
             if 'properties' not in schema:
                 continue
             said = self.refusal(recipe_with(path, {'no such key': 1}))
-            known = re.search(r'known are ([\w, ]+)', said).group(1).split(', ')
+            known = re.search(r'known are ([\w$, ]+)', said).group(1).split(', ')
             self.assertEqual(set(known), set(schema['properties']), path)
             self.assertIn(pointer(path + ('no such key',)), said)
 

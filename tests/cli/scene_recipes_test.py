@@ -120,6 +120,20 @@ class SceneRecipes(CommandCase):
                       'levels': [{'cut': 'voronoi:2'}]}, 'InvalidData', ['/etc/passwd'])
         self.refusal('bad.json', 'InvalidData', ['bad.json#/levels/0/cut', 'voronoi'])
 
+    def test_what_a_recipe_names_is_found_beside_the_model_and_beside_the_recipe(self):
+        self.write('art/cracks/halves.svg', inputs.halves_svg())
+        self.write('art/recipes/halves.json', b'{"levels": [{"map": "../cracks/halves.svg"}]}')
+        model = self.write('art/scene.glb', scene([
+            {'levels': [{'map': 'cracks/halves.svg'}]}, '{"levels": [{"map": "cracks/halves.svg"}]}',
+            'recipes/halves.json', './recipes/../recipes/halves.json']))
+        report = self.dir / 'report.json'
+        self.succeed('bake', model, '-o', self.out, '--report', report)
+        self.assertEqual(self.counts(json.loads(report.read_text())['objects']), [2, 2, 2, 2])
+        # What a bake reads it does not overwrite.
+        recipe = self.dir / 'art/recipes/halves.json'
+        self.refuse(['bake', model, '-o', self.out, '--report', recipe], 'BadArgument',
+                    ['would overwrite an input'])
+
     def test_a_recipe_on_an_empty_node_is_told(self):
         document, binary = inputs.unpack_glb(scene([HALVES]))
         document['nodes'].append({'name': 'group', 'extras': {'sherd': QUARTERS}})

@@ -30,7 +30,7 @@ Result<Recipe> recipeOf(const Json& json, const std::string& file, const std::st
     recipe.file = file;
     recipe.pointer = pointer;
     Error error;
-    std::string wrap;
+    std::string wrap, schema;
     RecipeReader reader(file, error);
     const bool ok = reader.object(
         json, pointer,
@@ -67,6 +67,7 @@ Result<Recipe> recipeOf(const Json& json, const std::string& file, const std::st
               const std::string& p) { return readLevelColors(reader, j, p, recipe); }},
          {"capHoles", reader.boolean(recipe.capHoles)},
          {"allowOpen", reader.boolean(recipe.allowOpen)},
+         {"$schema", reader.string(schema)},  // for editors
          {"unitScale", reader.number(recipe.unitScale, 1e-6, 1e6)},
          {"measure", reader.boolean(recipe.measure)}});
     if (!ok) return tl::unexpected(error);
