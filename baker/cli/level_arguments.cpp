@@ -135,6 +135,13 @@ void addLevelOptions(CLI::App& command, const std::string& drawingOption,
                         ":near=X,Y,Z, :within=METRES or :name=NAME to choose pieces; behind all "
                         "levels of lines")
             ->allow_extra_args(false);
+    arguments.cluster =
+        command
+            .add_option("--cluster", arguments.clusters,
+                        "A level that groups the pieces of the next finer one, N in each piece of "
+                        "the one before: N, and :evenness=0..1 (0.5) or what chooses pieces for "
+                        "--cut; takes its place among the others as it stands")
+            ->allow_extra_args(false);
     command.add_option(
         "--recipe", arguments.recipe,
         "Levels and settings as JSON; its levels win over " + drawingOption +
@@ -147,6 +154,7 @@ Result<void> orderLevels(const CLI::App& command, LevelArguments& arguments) {
     size_t maps = 0;
     size_t patterns = 0;
     size_t cuts = 0;
+    size_t clusters = 0;
     for (const CLI::Option* option : command.parse_order()) {
         if (option == arguments.drawing) {
             arguments.levels.emplace_back().map = arguments.maps[maps++];
@@ -158,6 +166,10 @@ Result<void> orderLevels(const CLI::App& command, LevelArguments& arguments) {
             Result<VolumeCut> parsed = parseVolumeCut(arguments.cuts[cuts++]);
             if (!parsed) return tl::unexpected(parsed.error());
             arguments.levels.emplace_back().cut = std::move(*parsed);
+        } else if (option == arguments.cluster) {
+            Result<Cluster> parsed = parseCluster(arguments.clusters[clusters++]);
+            if (!parsed) return tl::unexpected(parsed.error());
+            arguments.levels.emplace_back().cluster = std::move(*parsed);
         }
     }
     return {};
@@ -174,8 +186,8 @@ Result<Recipe> recipeOf(const LevelArguments& arguments) {
         if (auto ok = takeLevels(arguments, recipe); !ok) return tl::unexpected(ok.error());
     } else if (!arguments.levels.empty()) {
         std::fprintf(stderr,
-                     "sherd-bake: the recipe names its own levels; those of %s, --pattern "
-                     "and --cut are left out\n",
+                     "sherd-bake: the recipe names its own levels; those of %s, --pattern, "
+                     "--cut and --cluster are left out\n",
                      arguments.drawingOption.c_str());
     }
     if (const Result<void> done = adjustLines(arguments, recipe); !done)
@@ -209,8 +221,17 @@ Result<void> adjustOwnRecipe(const LevelArguments& arguments, Recipe& recipe) {
 
 Result<FracturePlan> readPlan(const Recipe& recipe) {
     std::vector<FracturePlan> levels;
+    if (endsInCluster(recipe.levels)) {
+        return fail(ErrorCode::badArgument,
+                    "has nothing to group: a finer level must come behind it",
+                    "cluster \"" + recipe.levels.back().cluster->text + "\"");
+    }
     for (const RecipeLevel& level : recipe.levels) {
         FracturePlan& plan = levels.emplace_back();
+        if (level.cluster) {
+            plan.clusters.push_back({*level.cluster});
+            continue;
+        }
         if (level.cut) {
             plan.cuts.push_back(*level.cut);
             continue;

@@ -19,10 +19,11 @@ struct LevelArguments {
     const CLI::Option* drawing = nullptr;
     const CLI::Option* pattern = nullptr;
     const CLI::Option* cut = nullptr;
+    const CLI::Option* cluster = nullptr;
 
     std::filesystem::path recipe;
-    std::vector<std::string> maps, patterns, cuts;
-    std::vector<RecipeLevel> levels;  ///< maps, patterns and cuts in the order they were named
+    std::vector<std::string> maps, patterns, cuts, clusters;
+    std::vector<RecipeLevel> levels;  ///< in the order they were named
     std::string projection = "uv";
     std::string wrap;
     std::vector<std::string> levelColors;
@@ -45,7 +46,7 @@ CLI::Validator inRange(double low, double high);
 void addLevelOptions(CLI::App& command, const std::string& drawingOption,
                      const std::string& drawingHelp, LevelArguments& arguments);
 
-/// Levels in the order in which drawings, patterns and cuts stand on the command line.
+/// Levels in the order in which drawings, patterns, cuts and clusters stand on the command line.
 Result<void> orderLevels(const CLI::App& command, LevelArguments& arguments);
 
 /// The recipe that was named, or the default one, with what the command line says of levels and

@@ -3,7 +3,7 @@
 
 namespace sherd::cli {
 
-const std::array<RecipeExample, 7> kRecipeExamples = {{
+const std::array<RecipeExample, 8> kRecipeExamples = {{
     {"drawn", "cracks that an artist drew, coarse and fine", R"({
   // Coarse to fine; each level divides the pieces of the one before.
   "levels": [
@@ -60,6 +60,17 @@ const std::array<RecipeExample, 7> kRecipeExamples = {{
   "physics": {"density": 2600, "strength": 5e6}
 }
 )"},
+    {"cliff", "rubble that comes off in chunks, large ones first", R"({
+  // The finest pieces are cut, the coarser ones are groups of them.
+  "levels": [
+    {"cluster": "4", "name": "ledges"},              // of the boulders
+    {"cluster": "12:evenness=0.7", "name": "boulders"},   // of the rubble; 1: all alike in volume
+    {"cut": "voronoi:60:1", "name": "rubble"}
+  ],
+  "interior": {"roughness": {"amplitude": 0.02, "size": 0.1}},
+  "physics": {"density": 2600, "strength": 3e6}
+}
+)"},
     {"glass", "a pane that was hit: sectors and rings, then splinters near the middle", R"({
   "levels": [
     {"cut": "glass:11x4:3"},                         // add :at=X,Y,Z where it was hit
@@ -96,15 +107,16 @@ const char* const kRecipeSchema = R"({
   "properties": {
     "$schema": {"description": "where this schema is, for editors", "type": "string"},
     "levels": {
-      "description": "Coarse to fine, each dividing the pieces of the one before. Levels of lines (map, pattern) come before those of cuts.",
+      "description": "Coarse to fine, each dividing the pieces of the one before. Levels of lines (map, pattern) come before those of cuts; a cluster groups the pieces of the level behind it.",
       "type": "array", "minItems": 1,
       "items": {
         "type": "object", "additionalProperties": false,
-        "oneOf": [{"required": ["map"]}, {"required": ["pattern"]}, {"required": ["cut"]}],
+        "oneOf": [{"required": ["map"]}, {"required": ["pattern"]}, {"required": ["cut"]}, {"required": ["cluster"]}],
         "properties": {
           "map": {"description": "SVG, JSON, PNG or JPEG, relative to the recipe", "type": "string", "minLength": 1},
           "pattern": {"description": "lines by a pattern, like voronoi:12 or grid:4x3:brick", "type": "string", "pattern": "^(voronoi|grid|radial|wood):"},
           "cut": {"description": "through the volume, like voronoi:12, grid:30, slices:2x3x2, wood:8, points:X,Y,Z;X,Y,Z, bricks:6x8x1 or glass:11x4; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^(voronoi|grid|slices|wood|points|bricks|glass):"},
+          "cluster": {"description": "so many groups of the next finer level's pieces, in each piece of the level before: 8 or 12:evenness=0.8; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^[0-9]+(:.+)?$"},
           "projection": {"description": "how a drawing lies on the object", "type": "string", "pattern": "^(uv|box|planar(:.+)?|cylindrical(:.+)?)$"},
           "strength": {"description": "Pa, of bonds between pieces that part at this level; lines and labels of drawings win", "type": "number", "minimum": 0, "maximum": 1e15},
           "toughness": {"description": "J/m2, likewise", "type": "number", "minimum": 0, "maximum": 1e15},

@@ -21,6 +21,7 @@
 #include "interior/point_merging.h"
 #include "interior/shell.h"
 #include "levels/bring_inside.h"
+#include "levels/cluster_level.h"
 #include "levels/volume_level.h"
 #include "measures/measures.h"
 #include "recipe_use.h"
@@ -36,6 +37,9 @@ namespace sherd {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// How far apart facing sheets may be and still hold: share of the diagonal.
+constexpr double kSheetTolerance = 1e-3;
 
 /// One object's bake: what the stages hand to each other.
 class Bake {
@@ -56,9 +60,10 @@ class Bake {
         if (!cutDone) return tl::unexpected(cutDone.error());
         if (auto ok = stitchPieces(); !ok) return tl::unexpected(ok.error());
         hidden_ = hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces);
-        if (plan_.cuts.empty()) beginLooks();
+        if (plan_.cuts.empty() && plan_.clusters.empty()) beginLooks();
         if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());
         if (auto ok = cutVolumes(); !ok) return tl::unexpected(ok.error());
+        if (auto ok = groupPieces(); !ok) return tl::unexpected(ok.error());
         assemble();
         if (auto ok = judgeFragments(); !ok) return tl::unexpected(ok.error());
         return std::move(result_);
@@ -284,8 +289,42 @@ class Bake {
         }
         cut_.topology = buildTopology(cut_.surface.positions, vertexTriangles(cut_.surface));
         report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
-        beginLooks();
+        if (plan_.clusters.empty()) beginLooks();
         return {};
+    }
+
+    /// Levels of groups, between those that are there.
+    Result<void> groupPieces() {
+        if (plan_.clusters.empty()) return {};
+        const StageTimer timer = stage("grouping", 0.74);
+        const auto drawn = components_.levels - static_cast<uint32_t>(plan_.cuts.size());
+        for (const FracturePlan::Grouped& g : plan_.clusters)
+            clusters_.push_back(
+                {&g.cluster, g.cuts ? drawn + *g.cuts : cut_.lines.closedUp(g.lines)});
+        const PieceModel model{mesh_, cut_.surface, components_, hidden_};
+        const Result<void> done =
+            addClusters(clusters_, {kSheetTolerance * diagonal_, recipe_.threads}, namedPieces(),
+                        model, report());
+        if (done) beginLooks();
+        return done;
+    }
+
+    /// Of levels of the set, those of clusters too, the recipe's.
+    std::vector<std::optional<size_t>> origins(size_t levelCount) const {
+        std::vector<RecipeLevel> made;
+        std::vector<size_t> madeAt, clusterAt;
+        for (size_t k = 0; k < recipe_.levels.size(); ++k) {
+            (recipe_.levels[k].cluster ? clusterAt : madeAt).push_back(k);
+            if (!recipe_.levels[k].cluster) made.push_back(recipe_.levels[k]);
+        }
+        const std::vector<std::optional<size_t>> ofMade =
+            levelOrigins(made, cut_.lines, levelCount - clusters_.size());
+        std::vector<std::optional<size_t>> result(levelCount);
+        for (uint32_t level = 0; level < ofMade.size(); ++level)
+            if (ofMade[level]) result[levelAmong(clusters_, level)] = madeAt[*ofMade[level]];
+        for (size_t n = 0; n < std::min(clusters_.size(), clusterAt.size()); ++n)
+            result[clusters_[n].above + n + 1] = clusterAt[n];
+        return result;
     }
 
     /// How hidden faces look is worked out beside the proofs; assemble() waits for it.
@@ -342,10 +381,10 @@ class Bake {
         const Hierarchy hierarchy = buildHierarchy(components_);
         assembleFragments(hierarchy, recipe_.physics, set);
         std::vector<BakeFinding>& findings = report().findings;
-        const std::vector<PlacedLabel> labels =
+        std::vector<PlacedLabel> labels =
             placeLabels(mesh_, cut_, plan_, recipe_.snapShare * diagonal_, findings);
-        const std::vector<std::optional<size_t>> origins =
-            levelOrigins(recipe_.levels, cut_.lines, set.levels.size());
+        for (PlacedLabel& label : labels) label.level = levelAmong(clusters_, label.level);
+        const std::vector<std::optional<size_t>> origins = this->origins(set.levels.size());
         for (size_t k = 1; k < origins.size(); ++k)
             if (origins[k] && origins[k] != origins[k - 1])
                 set.levels[k].name = recipe_.levels[*origins[k]].name;
@@ -378,8 +417,8 @@ class Bake {
             assembleHulls(recipe_.physics, recipe_.threads, set);
         }
         const StageTimer timer = stage("bonds", 0.9);
-        assembleBonds(hierarchy, bondStrengths(labels, hierarchy, origins), 1e-3 * diagonal_,
-                      recipe_.threads, set);
+        assembleBonds(hierarchy, bondStrengths(labels, hierarchy, origins),
+                      kSheetTolerance * diagonal_, recipe_.threads, set);
         const std::vector<bool> holds = assembleAnchors(
             {cut_.surface, components_, hierarchy, labels, recipe_.anchors, diagonal_}, set);
         reportAnchors(mesh_, recipe_.anchors, holds, result_);
@@ -447,6 +486,7 @@ class Bake {
     SolidLeaves solid_;     ///< none unless the interior is solid
     MendedPieces pieces_;
     HiddenMesh hidden_;  ///< until looks are made of it
+    std::vector<ClusterAt> clusters_;
     std::future<HiddenLooks> looks_;
     BakedObject result_;
 };

@@ -3,6 +3,7 @@
 import json
 import os
 import pty
+import re
 import unittest
 
 import inputs
@@ -63,6 +64,21 @@ class Baking(CommandCase):
                              self.map)
         self.assertEqual(late.returncode, EXIT['BadArgument'])
         self.assertIn('before', late.stderr)
+
+    def test_clusters_take_their_places_among_the_levels(self):
+        made = self.succeed('bake', self.model, '-o', self.out, '--cluster', '3', '--cluster', '6',
+                            '--cut', 'voronoi:20', '--cluster', '2:evenness=0.8', '--cut',
+                            'voronoi:4')
+        counts = [line.split()[1] for line in made.stdout.splitlines()
+                  if re.match(r'^ +[1-9] ', line)]
+        self.assertEqual(counts, ['3', '6', '20', '40', '80'])
+        self.assertIn('cluster', made.stdout)
+        self.assertTrue(self.succeed('check', self.out).stdout.endswith('check passed\n'))
+        for levels in (['--cut', 'voronoi:9', '--cluster', '3'],
+                       ['--cluster', '3:evenness=2', '--cut', 'voronoi:9'], ['--cluster', '3']):
+            wrong = self.run_bake('bake', self.model, '-o', self.out, *levels)
+            self.assertNotEqual(wrong.returncode, 0)
+            self.assertRegex(wrong.stderr, 'finer level|0 to 1|no fracture line')
 
     def test_quiet_says_nothing(self):
         result = self.bake('--quiet')

@@ -2,8 +2,9 @@
 // Volume cuts as they are written on a command line or in a recipe.
 #include <functional>
 #include <map>
-#include <sstream>
+#include <optional>
 
+#include "levels/piece_choice_text.h"
 #include "sherd/baker/volume_cut.h"
 #include "text_fields.h"
 
@@ -72,7 +73,7 @@ class CutReader {
                 return stop(quoted(text) + " is not a number of cells from 1 to " +
                             std::to_string(kMostCells));
             case Kind::points:
-                return readPlaces("", text, cut_.points);
+                return take(readPlaces("", text, cut_.points));
             case Kind::slices:
                 return readSlabs(text, 3, "NxMxK, slabs along x, y and z");
             case Kind::bricks:
@@ -108,13 +109,13 @@ class CutReader {
         using Kind = VolumeCut::Kind;
         const auto share = [&](double low, double high, double& target) {
             return [this, key, value, low, high, &target] {
-                return readShare(key, value, low, high, target);
+                return take(readShare(key, value, low, high, target));
             };
         };
         std::map<std::string_view, std::function<bool()>> known;
         switch (cut_.kind) {
             case Kind::voronoi:
-                known["around"] = [&] { return readPlaces("around=", value, cut_.around); };
+                known["around"] = [&] { return take(readPlaces("around=", value, cut_.around)); };
                 known["spread"] = share(1e-6, 10, cut_.spread);
                 known["stretch"] = [&] { return readStretch(value); };
                 break;
@@ -142,11 +143,8 @@ class CutReader {
                 known["jitter"] = share(0, 1, cut_.jitter);
                 break;
         }
-        known["larger"] = share(0, 1, cut_.only.larger);
-        known["smaller"] = share(0, 1, cut_.only.smaller);
-        known["near"] = [&] { return readPlaces("near=", value, cut_.only.near); };
-        known["within"] = share(0, 1e9, cut_.only.within);
-        known["name"] = [&] { return readName(value); };
+        for (const std::string_view name : kChoiceKeys)
+            known[name] = [this, key, value] { return take(readChoice(key, value, cut_.only)); };
         if (const auto it = known.find(key); it != known.end()) return it->second();
         std::string names;
         for (const auto& [name, read] : known) {
@@ -156,34 +154,13 @@ class CutReader {
         return stop(quoted(key) + " is not known here; known are " + names);
     }
 
-    bool readShare(std::string_view key, std::string_view value, double low, double high,
-                   double& number) {
-        if (readNumber(value, number) && number >= low && number <= high) return true;
-        std::ostringstream what;
-        what << key << '=' << value << " is not a number from " << low << " to " << high;
-        return stop(what.str());
-    }
-    bool readPlaces(const std::string& key, std::string_view value,
-                    std::vector<glm::dvec3>& places) {
-        for (const std::string_view place : split(value, ';')) {
-            glm::dvec3 point;
-            if (!readVector(place, point))
-                return stop(quoted(std::string(key).append(value)) + " is not " + key +
-                            "X,Y,Z[;X,Y,Z]...");
-            places.push_back(point);
-        }
-        return places.size() <= kMostCells ||
-               stop("there can be " + std::to_string(kMostCells) + " points at most");
-    }
+    /// wrong: what a reader found.
+    bool take(const std::optional<std::string>& wrong) { return !wrong || stop(*wrong); }
     bool readCentre(std::string_view value) {
         glm::dvec3 point;
         if (!readVector(value, point)) return stop("at=" + std::string(value) + " is not X,Y,Z");
         cut_.centre = point;
         return true;
-    }
-    bool readName(std::string_view value) {
-        cut_.only.name = value;
-        return !value.empty() || stop("name= is the name of a piece, as a label says it");
     }
     bool readStretch(std::string_view value) {
         const bool fine = readVector(value, cut_.stretch) && inRange(cut_.stretch.x) &&

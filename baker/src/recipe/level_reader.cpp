@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recipe/level_reader.h"
 
+#include <algorithm>
+
 namespace sherd {
 
 bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::string& pointer,
@@ -9,24 +11,29 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
         return reader.wrong(pointer, "must be a list with at least one level");
     for (size_t i = 0; i < json.size(); ++i) {
         RecipeLevel level;
-        std::string map, pattern, cut, projection;
+        std::string map, pattern, cut, cluster, projection;
         const std::string here = pointer + "/" + std::to_string(i);
         if (!reader.object(json[i], here,
                            {{"map", reader.string(map)},
                             {"pattern", reader.string(pattern)},
                             {"cut", reader.string(cut)},
+                            {"cluster", reader.string(cluster)},
                             {"projection", reader.string(projection)},
                             {"strength", reader.number(level.strength, 0, 1e15)},
                             {"toughness", reader.number(level.toughness, 0, 1e15)},
                             {"name", reader.string(level.name)}}))
             return false;
-        if ((map.empty() ? 0 : 1) + (pattern.empty() ? 0 : 1) + (cut.empty() ? 0 : 1) != 1)
+        if ((map.empty() ? 0 : 1) + (pattern.empty() ? 0 : 1) + (cut.empty() ? 0 : 1) +
+                (cluster.empty() ? 0 : 1) !=
+            1)
             return reader.wrong(
                 here,
                 "needs one of a \"map\", the path of a drawing (SVG, JSON, PNG, "
-                "JPEG), a \"pattern\" like \"voronoi:12\", and a \"cut\" through the "
-                "volume like \"voronoi:12\"");
-        if (cut.empty() && !recipe.levels.empty() && recipe.levels.back().cut)
+                "JPEG), a \"pattern\" like \"voronoi:12\", a \"cut\" through the "
+                "volume like \"voronoi:12\", and a \"cluster\" of finer pieces like \"8\"");
+        if (cut.empty() && cluster.empty() &&
+            std::any_of(recipe.levels.begin(), recipe.levels.end(),
+                        [](const RecipeLevel& before) { return before.cut.has_value(); }))
             return reader.wrong(here, "comes too late: levels of lines come before those of cuts");
         level.map = map;
         if (!pattern.empty()) {
@@ -40,6 +47,12 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
             level.cut = std::move(*parsed);
             level.cut->where = reader.place(here + "/cut");
         }
+        if (!cluster.empty()) {
+            Result<Cluster> parsed = parseCluster(cluster);
+            if (!parsed) return reader.wrong(here + "/cluster", ": " + parsed.error().message);
+            level.cluster = std::move(*parsed);
+            level.cluster->where = reader.place(here + "/cluster");
+        }
         if (!projection.empty()) {
             const Result<Projection> parsed = parseProjection(projection);
             if (!parsed) return reader.wrong(here + "/projection", ": " + parsed.error().message);
@@ -47,7 +60,18 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
         }
         recipe.levels.push_back(level);
     }
+    if (endsInCluster(recipe.levels)) {
+        return reader.wrong(pointer + "/" + std::to_string(json.size() - 1) + "/cluster",
+                            "has nothing to group: a finer level must come behind it");
+    }
     return true;
+}
+
+bool endsInCluster(const std::vector<RecipeLevel>& levels) {
+    // Clusters alone may group what lines modelled on the object make.
+    return !levels.empty() && levels.back().cluster &&
+           std::any_of(levels.begin(), levels.end(),
+                       [](const RecipeLevel& level) { return !level.cluster; });
 }
 
 }  // namespace sherd

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "sherd/baker/cluster.h"
 #include "sherd/baker/fracture_map.h"
 #include "sherd/baker/pattern.h"
 #include "sherd/baker/projection.h"
@@ -24,9 +26,15 @@ struct FracturePlan {
         uint32_t level = 1;
         std::shared_ptr<const GreyImage> density = {};  ///< the picture `pattern.density` names
     };
+    struct Grouped {
+        Cluster cluster;
+        uint32_t lines = 0;                 ///< levels of lines that are coarser
+        std::optional<uint32_t> cuts = {};  ///< cuts that are coarser; none where lines follow
+    };
     std::vector<Drawing> drawings;
     std::vector<Grown> patterns;
-    std::vector<VolumeCut> cuts;  ///< a level each, behind those of all lines
+    std::vector<VolumeCut> cuts;    ///< a level each, behind those of all lines
+    std::vector<Grouped> clusters;  ///< a level each, coarse to fine
 };
 
 /// Several plans as one. With more than one, the lines of the k-th cut from level k, whatever their

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "sherd/baker/cluster.h"
 #include "sherd/baker/fracture_map.h"
 #include "sherd/baker/pattern.h"
 #include "sherd/baker/projection.h"
@@ -121,13 +122,15 @@ enum class PageWrap : uint8_t {
     clamp
 };
 
-/// Where one level comes from: lines (a drawing or a pattern), or a cut through the volume.
+/// Where one level comes from: lines (a drawing or a pattern), a cut through the volume, or groups
+/// of the pieces of the next finer level.
 struct RecipeLevel {
     std::filesystem::path map;  ///< SVG, JSON, PNG or JPEG, relative to the recipe
     std::string name;           ///< may be empty
     Projection projection;      ///< how the drawing lies on the object
     std::optional<Pattern> pattern;
     std::optional<VolumeCut> cut;
+    std::optional<Cluster> cluster;
     // Of bonds between pieces that part at this level. Lines and labels of drawings win.
     std::optional<double> strength;   ///< Pa
     std::optional<double> toughness;  ///< J/m^2
@@ -170,6 +173,9 @@ struct Recipe {
     /// Where a part of it stands, for messages: "wall.json#/levels/0".
     std::string place(const std::string& inner) const { return file + "#" + pointer + inner; }
 };
+
+/// Whether the finest of several levels is a cluster, which then has nothing to group.
+bool endsInCluster(const std::vector<RecipeLevel>& levels);
 
 /// "medial". Error badArgument.
 Result<InteriorType> parseInteriorType(std::string_view text);
