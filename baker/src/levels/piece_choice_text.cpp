@@ -21,7 +21,7 @@ std::optional<std::string> readPlaces(std::string_view key, std::string_view val
     for (const std::string_view place : split(value, ';')) {
         glm::dvec3 point;
         if (!readVector(place, point)) {
-            return quoted(std::string(key).append(value))
+            return sherd::quoted(std::string(key).append(value))
                 .append(" is not ")
                 .append(key)
                 .append("X,Y,Z[;X,Y,Z]...");

@@ -150,15 +150,12 @@ TEST_CASE("components share the parts by weight, each has one at least") {
         if (n != 11 && n < 15) edges.push_back({n, n + 1, 1});
     }
     const WeightedGraph graph(weights, places, edges);
-    struct Case {
-        uint32_t asked, made;
-    };
-    for (const auto& [asked, made] : {Case{1, 4}, Case{4, 4}, Case{6, 6}, Case{18, 18}}) {
+    for (const uint32_t asked : {1U, 4U, 6U, 18U}) {
         CAPTURE(asked);
         const GraphPartition partition = partitionGraph(graph, {asked});
         checkParts(graph, partition);
         CHECK(partition.components == 4);
-        CHECK(partition.parts == made);
+        CHECK(partition.parts == std::max(asked, 4U));
     }
     const GraphPartition six = partitionGraph(graph, {6});
     std::vector<double> sums = weightsOf(graph, six);

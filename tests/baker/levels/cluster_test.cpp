@@ -116,8 +116,9 @@ TEST_CASE("clusters are read with their keys, and refused with what could be") {
                                                           {"8:larger=-1", "from 0 to 1"},
                                                           {"8:near=1,2", "X,Y,Z"},
                                                           {"8:name=", "name"}}) {
-        CAPTURE(text);
-        const Result<Cluster> wrong = parseCluster(text);
+        const std::string asked = text;
+        CAPTURE(asked);
+        const Result<Cluster> wrong = parseCluster(asked);
         REQUIRE_FALSE(wrong.has_value());
         CHECK(wrong.error().message.find(says) != std::string::npos);
     }
