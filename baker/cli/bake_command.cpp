@@ -190,8 +190,10 @@ Result<void> checkOutputs(const BakeArguments& arguments, const Recipe& recipe) 
     std::vector<std::filesystem::path> inputs = {arguments.lines.recipe};
     // A recipe that stands in the model is no file of its own.
     if (recipe.pointer.empty()) inputs.emplace_back(recipe.file);
-    for (const RecipeLevel& level : recipe.levels)
+    for (const RecipeLevel& level : recipe.levels) {
         if (!level.map.empty()) inputs.push_back(level.map);
+        if (level.cut && !level.cut->map.empty()) inputs.push_back(level.cut->map);
+    }
     for (const std::filesystem::path* output : {&arguments.output, &arguments.report}) {
         if (output->empty()) continue;
         for (const auto& input : inputs) {

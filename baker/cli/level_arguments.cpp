@@ -128,12 +128,14 @@ void addLevelOptions(CLI::App& command, const std::string& drawingOption,
             ->allow_extra_args(false);
     arguments.cut =
         command
-            .add_option("--cut", arguments.cuts,
-                        "A level that cuts every piece of the one before through its volume: "
-                        "voronoi:N[:SEED], grid:N, slices:NxMxK, wood:N, points:X,Y,Z;..., "
-                        "bricks:NxMxK or glass:NxM, and :larger=SHARE, :smaller=SHARE, "
-                        ":near=X,Y,Z, :within=METRES or :name=NAME to choose pieces; behind all "
-                        "levels of lines")
+            .add_option(
+                "--cut", arguments.cuts,
+                "A level that cuts every piece of the one before through its volume: "
+                "voronoi:N[:SEED], grid:N, slices:NxMxK, wood:N, points:X,Y,Z;..., "
+                "bricks:NxMxK, glass:NxM or map:FILE[:axis=z] (a drawing, straight through), and "
+                ":larger=SHARE, :smaller=SHARE, "
+                ":near=X,Y,Z, :within=METRES or :name=NAME to choose pieces; behind all "
+                "levels of lines")
             ->allow_extra_args(false);
     arguments.cluster =
         command
@@ -219,6 +221,18 @@ Result<void> adjustOwnRecipe(const LevelArguments& arguments, Recipe& recipe) {
     return adjustLines(arguments, recipe);
 }
 
+namespace {
+
+MapReadOptions mapOptions(const Recipe& recipe) {
+    MapReadOptions options;
+    options.tolerance = recipe.curveTolerance;
+    options.levelOfColor = recipe.levelOfColor;
+    options.bitmap = recipe.bitmap;
+    return options;
+}
+
+}  // namespace
+
 Result<FracturePlan> readPlan(const Recipe& recipe) {
     std::vector<FracturePlan> levels;
     if (endsInCluster(recipe.levels)) {
@@ -234,6 +248,10 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
         }
         if (level.cut) {
             plan.cuts.push_back(*level.cut);
+            if (level.cut->map.empty()) continue;
+            Result<FractureMap> map = readFractureMap(level.cut->map, mapOptions(recipe));
+            if (!map) return tl::unexpected(map.error());
+            plan.cuts.back().drawing = std::make_shared<FractureMap>(std::move(*map));
             continue;
         }
         if (std::any_of(levels.begin(), levels.end(),
@@ -251,11 +269,7 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
             }
             continue;
         }
-        MapReadOptions options;
-        options.tolerance = recipe.curveTolerance;
-        options.levelOfColor = recipe.levelOfColor;
-        options.bitmap = recipe.bitmap;
-        Result<FractureMap> map = readFractureMap(level.map, options);
+        Result<FractureMap> map = readFractureMap(level.map, mapOptions(recipe));
         if (!map) return tl::unexpected(map.error());
         plan.drawings.push_back({std::move(*map), level.projection});
     }

@@ -115,7 +115,7 @@ const char* const kRecipeSchema = R"({
         "properties": {
           "map": {"description": "SVG, JSON, PNG or JPEG, relative to the recipe", "type": "string", "minLength": 1},
           "pattern": {"description": "lines by a pattern, like voronoi:12 or grid:4x3:brick", "type": "string", "pattern": "^(voronoi|grid|radial|wood):"},
-          "cut": {"description": "through the volume, like voronoi:12, grid:30, slices:2x3x2, wood:8, points:X,Y,Z;X,Y,Z, bricks:6x8x1 or glass:11x4; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^(voronoi|grid|slices|wood|points|bricks|glass):"},
+          "cut": {"description": "through the volume, like voronoi:12, grid:30, slices:2x3x2, wood:8, points:X,Y,Z;X,Y,Z, bricks:6x8x1, glass:11x4 or map:cracks.svg:axis=z; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^(voronoi|grid|slices|wood|points|bricks|glass|map):"},
           "cluster": {"description": "so many groups of the next finer level's pieces, in each piece of the level before: 8 or 12:evenness=0.8; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^[0-9]+(:.+)?$"},
           "projection": {"description": "how a drawing lies on the object", "type": "string", "pattern": "^(uv|box|planar(:.+)?|cylindrical(:.+)?)$"},
           "strength": {"description": "Pa, of bonds between pieces that part at this level; lines and labels of drawings win", "type": "number", "minimum": 0, "maximum": 1e15},

@@ -65,6 +65,25 @@ class Baking(CommandCase):
         self.assertEqual(late.returncode, EXIT['BadArgument'])
         self.assertIn('before', late.stderr)
 
+    def test_a_drawing_cuts_straight_through_the_volume(self):
+        drawing = self.write('cross.svg', b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4 4">'
+                             b'<path d="M-1 2H5M2 -1V5M-1 -1H5V5H-1Z" stroke="black"/></svg>')
+        self.succeed('bake', self.model, '-o', self.out, '--cut', f'map:{drawing}:axis=z',
+                     '--cut', f'map:{drawing}:axis=x:larger=0.1', '--report', self.dir / 'r.json')
+        report = json.loads((self.dir / 'r.json').read_text())
+        levels = report['objects'][0]['levels']
+        self.assertEqual([level['fragments'] for level in levels], [1, 4, 8])
+        for level in levels[1:]:
+            self.assertEqual(level['closed'], level['fragments'])
+            self.assertEqual(level['coverage'], {'none': 0, 'double': 0})
+        self.assertTrue(self.succeed('check', self.out).stdout.endswith('check passed\n'))
+        recipe = self.write('r.json', b'{"levels": [{"cut": "map:cross.svg:axis=y"}]}')
+        self.succeed('bake', self.model, '-o', self.out, '--recipe', recipe)
+        for cut, says in ((f'map:{drawing}x', 'exist'), (f'map:{self.map}:axis=q', 'x, y, z')):
+            wrong = self.run_bake('bake', self.model, '-o', self.out, '--cut', cut)
+            self.assertNotEqual(wrong.returncode, 0)
+            self.assertIn(says, wrong.stderr)
+
     def test_clusters_take_their_places_among_the_levels(self):
         made = self.succeed('bake', self.model, '-o', self.out, '--cluster', '3', '--cluster', '6',
                             '--cut', 'voronoi:20', '--cluster', '2:evenness=0.8', '--cut',

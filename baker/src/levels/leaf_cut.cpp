@@ -6,6 +6,7 @@
 
 #include "geometry/weld.h"
 #include "levels/piece_cells.h"
+#include "volume/prism_cut.h"
 
 namespace sherd {
 
@@ -77,6 +78,23 @@ LeafCut cutLeaf(LeafMesh mesh, const VolumeCut& cut, uint64_t seed, const CutGri
     }
     result.cut = std::move(*done);
     result.pieces = assemblePieces(result.cut, {.groups = cells->groups});
+    return result;
+}
+
+LeafCut cutLeaf(LeafMesh mesh, const DrawnPrisms& prisms, const CutGrid& grid) {
+    LeafCut result;
+    result.mesh = std::move(mesh);
+    Result<MeshCut> done =
+        cutByPrisms(result.mesh.positions, result.mesh.triangles, grid, prisms.map, prisms.axis);
+    if (!done) {
+        result.refusal = done.error();
+        return result;
+    }
+    result.cut = std::move(*done);
+    result.pieces = assemblePieces(result.cut, {.groups = prisms.map.faces()});
+    // A drawing is made for the object, not for each of its pieces: cells beside one are none of
+    // its own.
+    result.cells = static_cast<uint32_t>(result.pieces.pieces.size()) + result.pieces.slivers;
     return result;
 }
 

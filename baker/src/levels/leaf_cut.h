@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "levels/drawn_prisms.h"
 #include "levels/piece_model.h"
 #include "sherd/baker/volume_cut.h"
 #include "volume/mesh_cut.h"
@@ -43,5 +44,7 @@ struct LeafCut {
 
 /// grid: of the whole object, so that leaves are snapped alike.
 LeafCut cutLeaf(LeafMesh mesh, const VolumeCut& cut, uint64_t seed, const CutGrid& grid);
+/// The same by the prisms over a drawing.
+LeafCut cutLeaf(LeafMesh mesh, const DrawnPrisms& prisms, const CutGrid& grid);
 
 }  // namespace sherd

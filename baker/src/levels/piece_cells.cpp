@@ -124,6 +124,8 @@ Result<PieceCells> pieceCells(const VolumeCut& cut, uint64_t seed,
             return around(glassSites(cut, seed, box), grid);
         case Kind::points:
             return around(cut.points, grid);
+        case Kind::map:
+            return fail(ErrorCode::internal, "a drawing's cells are no such ones");
         case Kind::voronoi:
         case Kind::grid:
         case Kind::wood:

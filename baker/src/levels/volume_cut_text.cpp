@@ -21,9 +21,11 @@ class CutReader {
 
     Result<VolumeCut> read() {
         cut_.text = text_;
+        joinPath();
         if (!readKind() || !readCounts()) return tl::unexpected(error_);
         size_t next = 2;
-        if (next < parts_.size() && parts_[next].find('=') == std::string_view::npos) {
+        if (cut_.kind != VolumeCut::Kind::map && next < parts_.size() &&
+            parts_[next].find('=') == std::string_view::npos) {
             if (!readNumber(parts_[next], cut_.seed)) {
                 stop(quoted(parts_[next]) + " is not a seed, a whole number from 0 to 4294967295");
                 return tl::unexpected(error_);
@@ -45,17 +47,32 @@ class CutReader {
         return false;
     }
 
+    /// A path may have colons: it goes on to the first of the keys that end the text.
+    void joinPath() {
+        if (parts_[0] != "map" || parts_.size() < 2) return;
+        const auto isKey = [](std::string_view part) {
+            const std::string_view key = part.substr(0, part.find('='));
+            return key.size() < part.size() && !key.empty() &&
+                   key.find_first_not_of("abcdefghijklmnopqrstuvwxyz") == std::string_view::npos;
+        };
+        size_t keys = parts_.size();
+        while (keys > 2 && isKey(parts_[keys - 1])) --keys;
+        const char* end = parts_[keys - 1].data() + parts_[keys - 1].size();
+        parts_[1] = {parts_[1].data(), static_cast<size_t>(end - parts_[1].data())};
+        parts_.erase(parts_.begin() + 2, parts_.begin() + static_cast<std::ptrdiff_t>(keys));
+    }
+
     bool readKind() {
         using Kind = VolumeCut::Kind;
         static const std::map<std::string_view, Kind> kinds = {
             {"voronoi", Kind::voronoi}, {"grid", Kind::grid},     {"slices", Kind::slices},
             {"wood", Kind::wood},       {"points", Kind::points}, {"bricks", Kind::bricks},
-            {"glass", Kind::glass}};
+            {"glass", Kind::glass},     {"map", Kind::map}};
         const auto it = kinds.find(parts_[0]);
         if (it == kinds.end())
             return stop("there is no cut " + quoted(parts_[0]) +
                         "; known are voronoi:N, grid:N, slices:NxMxK, wood:N, points:X,Y,Z;..., "
-                        "bricks:NxMxK and glass:NxM");
+                        "bricks:NxMxK, glass:NxM and map:FILE");
         cut_.kind = it->second;
         if (cut_.kind == Kind::slices || cut_.kind == Kind::bricks) cut_.jitter = 0;
         return true;
@@ -81,6 +98,9 @@ class CutReader {
             case Kind::glass:
                 cut_.slabs[2] = 1;
                 return readSlabs(text, 2, "NxM, sectors and rings");
+            case Kind::map:
+                cut_.map = text;
+                return !text.empty() || stop("needs a drawing: map:FILE[:axis=z]");
         }
         return false;
     }
@@ -142,6 +162,9 @@ class CutReader {
                 known["axis"] = [&] { return readAxis(value); };
                 known["jitter"] = share(0, 1, cut_.jitter);
                 break;
+            case Kind::map:
+                known["axis"] = [&] { return readAlong(value); };
+                break;
         }
         for (const std::string_view name : kChoiceKeys)
             known[name] = [this, key, value] { return take(readChoice(key, value, cut_.only)); };
@@ -172,6 +195,14 @@ class CutReader {
         if (value.size() != 1 || value[0] < 'x' || value[0] > 'z')
             return stop("axis=" + std::string(value) + " is not x, y or z");
         cut_.axis = static_cast<uint32_t>(value[0] - 'x');
+        return true;
+    }
+
+    bool readAlong(std::string_view value) {
+        const std::string_view axis = value.substr(value.starts_with('-') ? 1 : 0);
+        if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z')
+            return stop("axis=" + std::string(value) + " is not x, y, z, -x, -y or -z");
+        cut_.along[axis[0] - 'x'] = axis.size() < value.size() ? -1 : 1;
         return true;
     }
 

@@ -22,17 +22,38 @@ VolumeCut inObjectFrame(VolumeCut cut, const SurfaceMesh& mesh) {
     return cut;
 }
 
+void tellDrawing(const VolumeCut& cut, const DrawnPrisms& prisms, BakedObjectReport& report) {
+    for (const std::string& warning : prisms.warnings)
+        report.findings.push_back({"map", warning, cut.text, 1});
+    if (prisms.map.idleEdges() == 0) return;
+    report.findings.push_back({"idle-lines",
+                               "lines of the drawing have one and the same face on both sides, and "
+                               "cut nothing",
+                               cut.text, prisms.map.idleEdges()});
+}
+
 Result<std::vector<LeafCut>> cutLeaves(const VolumeCut& cut, unsigned threads,
                                        const std::vector<PieceName>& names, const CutGrid& grid,
-                                       const PieceModel& model) {
+                                       const PieceModel& model, BakedObjectReport& report) {
     const std::vector<std::vector<uint32_t>> faces = facesOfLeaves(model);
     const Result<std::vector<uint8_t>> chosen = chooseLeaves(cut.only, model, names, faces);
     if (!chosen) return tl::unexpected(chosen.error());
     const std::vector<uint32_t> places = placesOf(model);
+    std::optional<DrawnPrisms> prisms;
+    if (cut.kind == VolumeCut::Kind::map) {
+        Result<DrawnPrisms> drawn = drawnPrisms(cut, model, grid);
+        if (!drawn) return tl::unexpected(drawn.error());
+        prisms = std::move(*drawn);
+        tellDrawing(cut, *prisms, report);
+    }
     std::vector<LeafCut> cuts(faces.size());
     parallelRuns(faces.size(), 1, threads, [&](size_t first, size_t last) {
         for (size_t leaf = first; leaf < last; ++leaf) {
             if ((*chosen)[leaf] == 0) continue;
+            if (prisms) {
+                cuts[leaf] = cutLeaf(leafMesh(model, places, faces[leaf]), *prisms, grid);
+                continue;
+            }
             // Seeds of neighbours are far apart.
             const uint64_t seed = cut.seed + leaf * 0x9E3779B97F4A7C15ULL;
             cuts[leaf] = cutLeaf(leafMesh(model, places, faces[leaf]), cut, seed, grid);
@@ -117,7 +138,7 @@ Result<void> cutLevel(const VolumeCut& cut, unsigned threads, const std::vector<
     const Result<CutGrid> grid = CutGrid::around(model.mesh.positions, model.mesh.triangles);
     if (!grid) return tl::unexpected(grid.error());
     const Result<std::vector<LeafCut>> done =
-        cutLeaves(inObjectFrame(cut, model.mesh), threads, names, *grid, model);
+        cutLeaves(inObjectFrame(cut, model.mesh), threads, names, *grid, model, report);
     if (!done) return fail(done.error().code, done.error().message, where);
     const std::vector<LeafCut>& cuts = *done;
     const CutSummary summary(cuts);
@@ -125,7 +146,11 @@ Result<void> cutLevel(const VolumeCut& cut, unsigned threads, const std::vector<
         return fail(summary.first->code, summary.first->message, where);
     if (summary.divided == 0) {
         return fail(ErrorCode::separatesNothing,
-                    "the cut divides no piece: each lies in one cell; ask for more cells", where);
+                    cut.kind == VolumeCut::Kind::map
+                        ? "the drawing divides no piece: draw lines that close around a part of "
+                          "it, or that lead across it"
+                        : "the cut divides no piece: each lies in one cell; ask for more cells",
+                    where);
     }
     if (summary.pieces > kMostPieces) {
         return fail(ErrorCode::limitExceeded,

@@ -24,6 +24,7 @@ std::vector<fs::path> filesOf(const Recipe& recipe) {
     std::vector<fs::path> files{recipe.interior.shell.texture};
     for (const RecipeLevel& level : recipe.levels) {
         files.push_back(level.map);
+        if (level.cut) files.push_back(level.cut->map);
         if (level.pattern && level.pattern->density != "color")
             files.emplace_back(level.pattern->density);
     }

@@ -97,6 +97,7 @@ void resolvePaths(Recipe& recipe, const std::filesystem::path& folder) {
     if (!texture.empty()) texture = folder / texture;
     for (RecipeLevel& level : recipe.levels) {
         if (!level.map.empty()) level.map = folder / level.map;
+        if (level.cut && !level.cut->map.empty()) level.cut->map = folder / level.cut->map;
         if (!level.pattern || level.pattern->density.empty()) continue;
         std::string& density = level.pattern->density;
         if (density != "color") density = (folder / density).string();

@@ -9,7 +9,7 @@
 
 #include "geometry/union_find.h"
 #include "volume/cap_plane.h"
-#include "volume/cut_vertex.h"
+#include "volume/cap_space.h"
 
 namespace sherd {
 
@@ -32,7 +32,7 @@ class CapBorder {
   public:
     static constexpr uint32_t kCorners = 3;  ///< points 0 to 2: a triangle around everything
 
-    CapBorder(CutVertices& vertices, UnionFind& merged) : vertices_(vertices), merged_(merged) {}
+    CapBorder(CapSpace& vertices, UnionFind& merged) : vertices_(vertices), merged_(merged) {}
 
     /// That of the face i|j; vertices that `merged` unites are one point.
     void start(uint32_t i, uint32_t j, std::span<const CapEdge> edges);
@@ -59,7 +59,7 @@ class CapBorder {
     uint32_t pointOf(uint32_t vertex);
     void addUp();
 
-    CutVertices& vertices_;
+    CapSpace& vertices_;
     UnionFind& merged_;
     CapPlane plane_;
     std::vector<uint32_t> vertexOf_;  ///< point - kCorners: vertex; ascending but for later ones

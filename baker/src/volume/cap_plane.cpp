@@ -7,15 +7,12 @@
 
 namespace sherd {
 
-void CapPlane::start(const CutVertices& vertices, uint32_t i, uint32_t j) {
+void CapPlane::start(const CapSpace& vertices, uint32_t i, uint32_t j) {
     vertices_ = &vertices;
     vertexOf_.clear();
     places_.clear();
     exact_.clear();
-    const CellFunctions& functions = vertices.input().functions;
-    const LinearFunction f = functions[i] - functions[j];  // grows from i to j
-    const glm::dvec3 normal(static_cast<double>(f.x), static_cast<double>(f.y),
-                            static_cast<double>(f.z));
+    const glm::dvec3 normal = vertices.normal(i, j);
     const glm::dvec3 size = glm::abs(normal);
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
     uAxis_ = (axis + 1) % 3;
@@ -38,7 +35,7 @@ void CapPlane::add(uint32_t vertex) {
 }
 
 void CapPlane::addFarAway(int64_t u, int64_t v) {
-    vertexOf_.push_back(CutVertices::kNone);
+    vertexOf_.push_back(CapSpace::kNone);
     places_.emplace_back(u, v);
     exact_.emplace_back(Exact{u, v, 1});
 }

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "volume/cut_vertex.h"
+#include "volume/cap_space.h"
 
 namespace sherd {
 
@@ -16,7 +16,7 @@ namespace sherd {
 class CapPlane {
   public:
     /// Begins with no points.
-    void start(const CutVertices& vertices, uint32_t i, uint32_t j);
+    void start(const CapSpace& vertices, uint32_t i, uint32_t j);
     /// A vertex of the cut as the next point.
     void add(uint32_t vertex);
     /// The same for a place given by whole numbers below 2^29, not on the plane but above it.
@@ -38,7 +38,7 @@ class CapPlane {
     int exactTurn(uint32_t a, uint32_t b, uint32_t c);
     const Exact& exact(uint32_t point);
 
-    const CutVertices* vertices_ = nullptr;
+    const CapSpace* vertices_ = nullptr;
     int uAxis_ = 0, vAxis_ = 1;
     glm::dvec2 stretch_{1.0};
     double shear_ = 0;

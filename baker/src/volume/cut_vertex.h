@@ -6,13 +6,13 @@
 #pragma once
 
 #include <array>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "geometry/perturbed_signs.h"
+#include "volume/cap_space.h"
 #include "volume/cell_family.h"
 #include "volume/cut_grid.h"
 #include "volume/key_table.h"
@@ -31,15 +31,7 @@ struct CutInput {
     CornerValues cornerValues(uint32_t triangle, uint32_t i, uint32_t j) const;
 };
 
-/// (x, y, z) / w in grid steps, w > 0. Below 2^165 and 2^138: the determinant of three such points
-/// and a projection takes less than 480 bits.
-struct ExactPlace {
-    using Integer = boost::multiprecision::int512_t;
-    Integer x, y, z, w;
-};
-bool operator==(const ExactPlace& a, const ExactPlace& b);
-
-class CutVertices {
+class CutVertices final : public CapSpace {
   public:
     enum class Kind : uint8_t {
         mesh,      ///< vertex v of the mesh
@@ -57,15 +49,15 @@ class CutVertices {
     /// cells ascending; position: in grid steps.
     uint32_t atCells(const std::array<uint32_t, 4>& cells, const glm::dvec3& position);
     /// Nothing (kNone) where the planes of s, t and i|j have no common point.
-    uint32_t atCrossing(uint32_t s, uint32_t t, uint32_t i, uint32_t j);
-    static constexpr uint32_t kNone = KeyTable::kNone;
+    uint32_t atCrossing(uint32_t s, uint32_t t, uint32_t i, uint32_t j) override;
 
-    uint32_t count() const { return static_cast<uint32_t>(grid_.size()); }
+    uint32_t count() const override { return static_cast<uint32_t>(grid_.size()); }
     uint32_t meshCount() const { return meshCount_; }
     /// In grid steps, off by less than 2^-23 of one.
-    const glm::dvec3& gridPosition(uint32_t vertex) const { return grid_[vertex]; }
+    const glm::dvec3& gridPosition(uint32_t vertex) const override { return grid_[vertex]; }
+    glm::dvec3 normal(uint32_t i, uint32_t j) const override;
     const glm::vec3& position(uint32_t vertex) const { return world_[vertex]; }
-    ExactPlace exactPlace(uint32_t vertex) const;
+    ExactPlace exactPlace(uint32_t vertex) const override;
     Kind kind(uint32_t vertex) const;
     /// The weights of the corners of a triangle that the vertex lies on, as it is made there.
     glm::dvec3 weights(uint32_t vertex, uint32_t triangle) const;

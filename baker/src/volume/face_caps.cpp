@@ -13,7 +13,7 @@ namespace sherd {
 
 class CapBuilder::Work {
   public:
-    Work(CutVertices& vertices, UnionFind& merged)
+    Work(CapSpace& vertices, UnionFind& merged)
         : vertices_(vertices), merged_(merged), border_(vertices, merged) {}
 
     void build(uint32_t i, uint32_t j, std::span<const CapEdge> edges,
@@ -135,7 +135,7 @@ class CapBuilder::Work {
                 return false;
             const uint32_t v =
                 vertices_.atCrossing(segments[s].triangle, segments[t].triangle, i, j);
-            if (v == CutVertices::kNone) return false;
+            if (v == CapSpace::kNone) return false;
             merged_.grow(vertices_.count());
             const uint32_t point = border_.pointAt(merged_.find(v));
             through[s].push_back(point);
@@ -174,7 +174,7 @@ class CapBuilder::Work {
         }
     }
 
-    CutVertices& vertices_;
+    CapSpace& vertices_;
     UnionFind& merged_;
     CapBorder border_;
     std::vector<CapTriangle> made_;  ///< of points
@@ -185,7 +185,7 @@ class CapBuilder::Work {
     std::vector<uint32_t> open_;
 };
 
-CapBuilder::CapBuilder(CutVertices& vertices, UnionFind& merged)
+CapBuilder::CapBuilder(CapSpace& vertices, UnionFind& merged)
     : work_(std::make_unique<Work>(vertices, merged)) {}
 CapBuilder::~CapBuilder() = default;
 

@@ -17,8 +17,8 @@
 
 #include "geometry/union_find.h"
 #include "volume/cap_border.h"
+#include "volume/cap_space.h"
 #include "volume/cap_triangle.h"
-#include "volume/cut_vertex.h"
 
 namespace sherd {
 
@@ -30,7 +30,7 @@ struct CapReport {
 class CapBuilder {
   public:
     /// Vertices found to be in one place are united in `merged`.
-    CapBuilder(CutVertices& vertices, UnionFind& merged);
+    CapBuilder(CapSpace& vertices, UnionFind& merged);
     ~CapBuilder();
 
     /// Appends the triangles of the cap i|j, i < j, counter-clockwise seen from j. Vertices that

@@ -17,7 +17,7 @@ double shapeOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 }  // namespace
 
 std::span<const std::array<uint32_t, 3>> PolygonFan::run(std::span<const uint32_t> corners,
-                                                         const CutVertices& vertices) {
+                                                         const CapSpace& vertices) {
     triangles_.clear();
     left_.assign(corners.begin(), corners.end());
     for (size_t n = left_.size(); n > 3; n = left_.size()) {

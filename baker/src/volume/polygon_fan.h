@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "volume/cut_vertex.h"
+#include "volume/cap_space.h"
 
 namespace sherd {
 
@@ -15,7 +15,7 @@ class PolygonFan {
   public:
     /// Good until the next call.
     std::span<const std::array<uint32_t, 3>> run(std::span<const uint32_t> corners,
-                                                 const CutVertices& vertices);
+                                                 const CapSpace& vertices);
 
   private:
     std::vector<uint32_t> left_;

@@ -22,6 +22,11 @@ TEST_CASE("cuts are read with their seeds and options") {
     CHECK(parseVolumeCut("bricks:6x10x1").value().jitter == 0);
     CHECK(parseVolumeCut("points:0,0,0;1,2,3").value().points[1] == glm::dvec3(1, 2, 3));
     CHECK(parseVolumeCut("glass:12x4:2:at=0,1,0").value().centre == glm::dvec3(0, 1, 0));
+    const VolumeCut map = parseVolumeCut("map:C:/a=b/cracks.svg:axis=-y:larger=0.1").value();
+    CHECK(map.map == "C:/a=b/cracks.svg");
+    CHECK(map.along == glm::dvec3(0, -1, 0));
+    CHECK(map.only.larger == 0.1);
+    CHECK(parseVolumeCut("map:cracks.svg").value().along == glm::dvec3(0));
     const PieceChoice only =
         parseVolumeCut("voronoi:6:larger=0.1:smaller=0.5:near=0,1,0:within=2:name=head")
             .value()
@@ -50,6 +55,10 @@ TEST_CASE("a cut that cannot be is refused with what could be") {
         {"points:0,0,0", "at least two points"},
         {"points:0,0", "X,Y,Z"},
         {"glass:5", "sectors and rings"},
+        {"map", "needs a drawing"},
+        {"map:", "needs a drawing"},
+        {"map:a.svg:axis=w", "x, y, z, -x, -y or -z"},
+        {"map:a.svg:jitter=1", "known are axis, larger"},
         {"bricks:5x5", "rows"},
         {"voronoi:5:larger=2", "from 0 to 1"},
         {"voronoi:5:name=", "name"},

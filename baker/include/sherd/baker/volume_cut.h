@@ -3,12 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "sherd/baker/fracture_map.h"
 #include "sherd/formats/result.h"
 
 namespace sherd {
@@ -35,7 +38,8 @@ struct VolumeCut {
         wood,     ///< Voronoi cells drawn out along an axis: splinters
         points,   ///< everything nearer to one of the points said than to the others
         bricks,   ///< rows along y, of bricks along x or z; every other row is shifted by half one
-        glass     ///< straight through along an axis: sectors and rings around a centre
+        glass,    ///< straight through along an axis: sectors and rings around a centre
+        map       ///< straight through along an axis: by a drawing's lines
     };
     Kind kind = Kind::voronoi;
     uint32_t count = 12;  ///< voronoi, grid, wood: of cells in each piece, 1 to 10,000
@@ -54,6 +58,11 @@ struct VolumeCut {
     /// object as 0, 1, 2. Else wood: y; glass: the piece's shortest side; bricks: the longer of x
     /// and z.
     std::optional<uint32_t> axis;
+    std::filesystem::path map;  ///< map: the drawing, relative to the recipe; see `drawing`
+    std::shared_ptr<const FractureMap> drawing = {};  ///< map: what it names, whatever its levels
+    /// map: the axis of the object that is looked along, the page upright as `Projection` has it;
+    /// the page covers the object. 0: onto its largest side.
+    glm::dvec3 along{0.0};
     double elongation = 8;  ///< wood: length of a splinter over its width; 1 to 64
     PieceChoice only;
     std::string text;   ///< as it was asked for, for reports
@@ -62,7 +71,8 @@ struct VolumeCut {
 
 /// KIND:COUNTS[:SEED][:KEY=VALUE]...: "voronoi:12", "voronoi:50:7:around=0,1,0:spread=0.1",
 /// "grid:30:jitter=0.3", "slices:4x3x2:1:jitter=0.4:tilt=0.1", "wood:20:3:axis=y:elongation=12",
-/// "points:0,0,0;0,1,0", "bricks:6x10x1", "glass:12x4:2:at=0,1,0", "voronoi:6:larger=0.02".
+/// "points:0,0,0;0,1,0", "bricks:6x10x1", "glass:12x4:2:at=0,1,0", "voronoi:6:larger=0.02",
+/// "map:cracks.svg:axis=-z", where the path goes on to the keys and may have colons.
 /// Error badArgument says what is known and allowed.
 Result<VolumeCut> parseVolumeCut(std::string_view text);
 

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "volume/prism_cut.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "geometry/closed_mesh.h"
+#include "geometry/union_find.h"
+#include "volume/face_caps.h"
+#include "volume/polygon_fan.h"
+#include "volume/prism_polygons.h"
+
+namespace sherd {
+namespace {
+
+using Triangle = std::array<uint32_t, 3>;
+
+class PrismCutting {
+  public:
+    explicit PrismCutting(const PrismInput& input)
+        : input_(input),
+          vertices_(input),
+          polygons_(input, vertices_),
+          merged_(vertices_.count()),
+          wallEdges_(input.map.lines()),
+          stretches_(input.map.nodes()) {}
+
+    Result<MeshCut> run() {
+        if (!polygons_.locate()) return contradiction();
+        for (uint32_t t = 0; t < input_.triangles.size(); ++t)
+            if (!cutTriangle(t)) return contradiction();
+        if (!findStretches()) return contradiction();
+        buildCaps();
+        sortSkin();
+        replaceUnited();
+        return std::move(cut_);
+    }
+
+  private:
+    struct NodeCrossing {
+        uint32_t node, vertex;
+        int leaves;  ///< 1: going up the solid is left there, -1: entered
+    };
+    struct Stretch {
+        uint32_t from, to;
+        int winding;
+    };
+    struct Wall {
+        uint32_t low, high;
+        PrismMap::Side side;  ///< of the lower cell
+    };
+
+    static Result<MeshCut> contradiction() {
+        return fail(ErrorCode::internal,
+                    "the mesh and the drawing do not fit each other; please report it");
+    }
+
+    bool cutTriangle(uint32_t t) {
+        const Triangle& v = input_.triangles[t];
+        if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) return true;
+        if (const std::optional<uint32_t> cell = polygons_.cellOf(t)) {
+            addSkin(*cell, {v, t, MeshCut::kWhole});
+            return true;
+        }
+        const auto polygons = polygons_.run(t);
+        merged_.grow(vertices_.count());
+        for (const PrismPolygons::Polygon& polygon : polygons) addPolygon(t, polygon);
+        for (const uint32_t node : polygons_.nodes())
+            crossings_.push_back({node, vertices_.atNode(t, node), polygons_.turnOf(t)});
+        return !polygons.empty();
+    }
+
+    void addSkin(uint32_t cell, const MeshCut::SkinTriangle& triangle) {
+        skin_.push_back(triangle);
+        cellOfSkin_.push_back(cell);
+    }
+
+    void addPolygon(uint32_t t, const PrismPolygons::Polygon& polygon) {
+        corners_.clear();
+        for (const PrismPolygons::Edge& edge : polygon.edges) {
+            corners_.push_back(edge.from);
+            uniteIfSame(edge.from, edge.to);
+            if (edge.side == PrismPolygons::Edge::kSkin) continue;
+            const PrismMap::Side& side = input_.map.sides(polygon.cell)[edge.side];
+            // The cap has what the skin has, the other way round.
+            if (input_.map.isWall(side.line) && polygon.cell < side.across)
+                wallEdges_[side.line].push_back({edge.to, edge.from, 1, t});
+        }
+        for (const Triangle& part : fan_.run(corners_, vertices_)) {
+            const auto weights = static_cast<uint32_t>(cut_.weights.size());
+            cut_.weights.push_back({vertices_.weights(part[0], t), vertices_.weights(part[1], t),
+                                    vertices_.weights(part[2], t)});
+            addSkin(polygon.cell, {part, t, weights});
+        }
+    }
+
+    /// Where a tie was broken, edges may have no length: their ends become one vertex.
+    void uniteIfSame(uint32_t a, uint32_t b) {
+        const glm::dvec3 d = glm::abs(vertices_.gridPosition(a) - vertices_.gridPosition(b));
+        if (d.x > 0x1p-20 || d.y > 0x1p-20 || d.z > 0x1p-20) return;
+        if (merged_.find(a) != merged_.find(b) &&
+            vertices_.exactPlace(a) == vertices_.exactPlace(b)) {
+            merged_.unite(a, b);
+        }
+    }
+
+    /// Over each node from below: every triangle takes one off the winding number or adds one.
+    bool findStretches() {
+        std::sort(crossings_.begin(), crossings_.end(),
+                  [&](const NodeCrossing& a, const NodeCrossing& b) {
+                      if (a.node != b.node) return a.node < b.node;
+                      const int order = vertices_.compareDepth(a.vertex, b.vertex);
+                      if (order != 0) return order < 0;
+                      // In one place, what enters comes first.
+                      return std::tie(a.leaves, a.vertex) < std::tie(b.leaves, b.vertex);
+                  });
+        int winding = 0;
+        for (size_t n = 0; n < crossings_.size(); ++n) {
+            const NodeCrossing& c = crossings_[n];
+            winding -= c.leaves;
+            const bool last = n + 1 == crossings_.size() || crossings_[n + 1].node != c.node;
+            if (last && winding != 0) return false;
+            if (winding == 0) continue;
+            const uint32_t next = crossings_[n + 1].vertex;
+            uniteIfSame(c.vertex, next);
+            stretches_[c.node].push_back({c.vertex, next, winding});
+        }
+        return true;
+    }
+
+    std::vector<Wall> walls() const {
+        std::vector<Wall> walls;
+        for (uint32_t cell = 0; cell < input_.map.cells(); ++cell)
+            for (const PrismMap::Side& side : input_.map.sides(cell))
+                if (side.across != PrismMap::kNone && cell < side.across &&
+                    input_.map.isWall(side.line))
+                    walls.push_back({cell, side.across, side});
+        std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) {
+            return std::tie(a.low, a.high, a.side.line) < std::tie(b.low, b.high, b.side.line);
+        });
+        return walls;
+    }
+
+    void buildCaps() {
+        CapBuilder builder(vertices_, merged_);
+        for (const Wall& wall : walls()) {
+            std::vector<CapEdge>& border = wallEdges_[wall.side.line];
+            // Seen from the higher cell the wall runs to the right: up at its end, down at its
+            // start.
+            for (const Stretch& s : stretches_[wall.side.to])
+                border.push_back({s.from, s.to, s.winding, CapEdge::kNone});
+            for (const Stretch& s : stretches_[wall.side.from])
+                border.push_back({s.from, s.to, -s.winding, CapEdge::kNone});
+            if (border.empty()) continue;
+            vertices_.setWall(wall.side.line,
+                              input_.map.line(wall.side.line).from != wall.side.from);
+            const auto first = static_cast<uint32_t>(cut_.capTriangles.size());
+            builder.build(wall.low, wall.high, border, cut_.capTriangles);
+            const auto count = static_cast<uint32_t>(cut_.capTriangles.size()) - first;
+            if (count > 0) cut_.caps.push_back({wall.low, wall.high, first, count});
+        }
+        cut_.report.crossedCaps = builder.report().crossed;
+        cut_.report.fans = builder.report().fans;
+    }
+
+    void sortSkin() {
+        cut_.skinStart.assign(input_.map.cells() + 1, 0);
+        for (const uint32_t cell : cellOfSkin_) ++cut_.skinStart[cell + 1];
+        for (size_t c = 1; c < cut_.skinStart.size(); ++c)
+            cut_.skinStart[c] += cut_.skinStart[c - 1];
+        std::vector<uint32_t> next(cut_.skinStart.begin(), cut_.skinStart.end() - 1);
+        cut_.skin.resize(skin_.size());
+        for (size_t s = 0; s < skin_.size(); ++s) cut_.skin[next[cellOfSkin_[s]]++] = skin_[s];
+    }
+
+    /// As in `mesh_cut.cpp`.
+    void replaceUnited() {
+        merged_.grow(vertices_.count());
+        cut_.positions.resize(vertices_.count());
+        for (uint32_t v = 0; v < vertices_.count(); ++v) {
+            cut_.positions[v] = vertices_.position(v);
+            cut_.report.united += merged_.find(v) != v ? 1 : 0;
+        }
+        if (cut_.report.united == 0) return;
+        for (MeshCut::SkinTriangle& t : cut_.skin)
+            for (uint32_t& v : t.v) v = merged_.find(v);
+        for (CapTriangle& t : cut_.capTriangles)
+            for (uint32_t& v : t.v) v = merged_.find(v);
+        UnionFind parts(input_.positions.size());
+        for (const Triangle& t : input_.triangles) {
+            parts.unite(t[0], t[1]);
+            parts.unite(t[0], t[2]);
+        }
+        for (const Triangle& t : input_.triangles) cut_.parts.push_back(parts.find(t[0]));
+    }
+
+    const PrismInput& input_;
+    PrismVertices vertices_;
+    PrismPolygons polygons_;
+    UnionFind merged_;
+    PolygonFan fan_;
+    std::vector<uint32_t> corners_;
+    std::vector<MeshCut::SkinTriangle> skin_;
+    std::vector<uint32_t> cellOfSkin_;
+    std::vector<std::vector<CapEdge>> wallEdges_;  ///< per line
+    std::vector<NodeCrossing> crossings_;
+    std::vector<std::vector<Stretch>> stretches_;  ///< per node
+    MeshCut cut_;
+};
+
+}  // namespace
+
+Result<MeshCut> cutByPrisms(std::span<const glm::vec3> positions,
+                            std::span<const Triangle> triangles, const CutGrid& grid,
+                            const PrismMap& map, uint32_t axis) {
+    if (triangles.empty()) return fail(ErrorCode::noTriangles, "there is nothing to cut");
+    if (!edgesCancel(triangles)) {
+        return fail(ErrorCode::openMesh, "only closed meshes can be cut: there are open edges");
+    }
+    if (!(signedVolume(positions, triangles, positions[triangles[0][0]]) > 0)) {
+        return fail(ErrorCode::invalidData,
+                    "the mesh encloses no volume, or its triangles face inwards");
+    }
+    PrismInput input{grid, map, axis, positions, triangles};
+    input.points.resize(positions.size());
+    for (const Triangle& t : triangles)
+        for (const uint32_t v : t) input.points[v] = grid.snap(positions[v]);
+    return PrismCutting(input).run();
+}
+
+}  // namespace sherd
