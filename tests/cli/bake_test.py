@@ -79,7 +79,7 @@ class Baking(CommandCase):
         self.assertTrue(self.succeed('check', self.out).stdout.endswith('check passed\n'))
         recipe = self.write('r.json', b'{"levels": [{"cut": "map:cross.svg:axis=y"}]}')
         self.succeed('bake', self.model, '-o', self.out, '--recipe', recipe)
-        for cut, says in ((f'map:{drawing}x', 'exist'), (f'map:{self.map}:axis=q', 'x, y, z')):
+        for cut, says in ((f'map:{self.dir}/none.svg', 'exist'), (f'map:{self.map}:axis=q', 'x, y, z')):
             wrong = self.run_bake('bake', self.model, '-o', self.out, '--cut', cut)
             self.assertNotEqual(wrong.returncode, 0)
             self.assertIn(says, wrong.stderr)

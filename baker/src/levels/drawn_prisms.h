@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "levels/lines_off_faces.h"
 #include "levels/piece_model.h"
 #include "sherd/baker/volume_cut.h"
 #include "volume/cut_grid.h"
@@ -16,6 +17,7 @@ struct DrawnPrisms {
     PrismMap map;
     uint32_t axis = 2;  ///< of the object
     std::vector<std::string> warnings;
+    MovedLines moved;
 };
 
 /// The drawing of a cut of the kind `map` on the page that covers the object as it is seen along

@@ -25,11 +25,15 @@ VolumeCut inObjectFrame(VolumeCut cut, const SurfaceMesh& mesh) {
 void tellDrawing(const VolumeCut& cut, const DrawnPrisms& prisms, BakedObjectReport& report) {
     for (const std::string& warning : prisms.warnings)
         report.findings.push_back({"map", warning, cut.text, 1});
-    if (prisms.map.idleEdges() == 0) return;
-    report.findings.push_back({"idle-lines",
-                               "lines of the drawing have one and the same face on both sides, and "
-                               "cut nothing",
-                               cut.text, prisms.map.idleEdges()});
+    const auto find = [&](const char* code, uint32_t count, const std::string& message) {
+        if (count > 0) report.findings.push_back({code, message, cut.text, count});
+    };
+    find("idle-lines", prisms.map.idleEdges(),
+         "lines of the drawing have one and the same face on both sides, and cut nothing");
+    find("moved-planes", prisms.moved.moved,
+         "cuts along faces of the object were moved outwards by a millionth of its size");
+    find("opposed-planes", prisms.moved.opposed,
+         "cuts lie in faces that look to both sides; the larger area decided");
 }
 
 Result<std::vector<LeafCut>> cutLeaves(const VolumeCut& cut, unsigned threads,

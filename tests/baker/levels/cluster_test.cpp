@@ -242,6 +242,35 @@ TEST_CASE("a label keeps naming its component with a cluster above") {
     CHECK(named == 1);
 }
 
+TEST_CASE("names and strengths of a recipe's levels hold for clusters, too") {
+    const Recipe recipe = parseRecipe(R"({"levels": [
+        {"cluster": "3", "name": "chunks", "strength": 2e6},
+        {"cut": "voronoi:20", "name": "rubble", "strength": 3e6},
+        {"cluster": "2", "name": "halves", "toughness": 7},
+        {"cut": "voronoi:4", "name": "gravel", "strength": 4e6}]})",
+                                      "r.json")
+                              .value();
+    const FractureSet set =
+        writtenSet(modelAround(chartedCube(1, 2)),
+                   planOf({"cluster 3", "cut voronoi:20", "cluster 2", "cut voronoi:4"}), recipe);
+    REQUIRE(set.levels.size() == 5);
+    const std::vector<std::string> names{"", "chunks", "rubble", "halves", "gravel"};
+    for (size_t k = 0; k < names.size(); ++k) CHECK(set.levels[k].name == names[k]);
+    std::map<uint32_t, float> strength, toughness;
+    for (const Bond& bond : set.bonds) {
+        auto a = static_cast<uint32_t>(bond.a), b = static_cast<uint32_t>(bond.b);
+        while (set.fragments[a].parent != set.fragments[b].parent) {
+            uint32_t& deeper = set.fragments[a].level >= set.fragments[b].level ? a : b;
+            deeper = static_cast<uint32_t>(set.fragments[deeper].parent);
+        }
+        strength[set.fragments[a].level] = bond.strength;
+        toughness[set.fragments[a].level] = bond.toughness;
+    }
+    CHECK(strength == std::map<uint32_t, float>{{1, 2e6F}, {2, 3e6F}, {3, 1e6F}, {4, 4e6F}});
+    CHECK(toughness[3] == 7);
+    CHECK(toughness[4] == 50);
+}
+
 TEST_CASE("what a cluster cannot do is refused or told") {
     CHECK(errorOf({"cluster 4"}).message.find("no fracture line") != std::string::npos);
     const Error one = errorOf({"cluster 1", "cut voronoi:9"});
