@@ -115,6 +115,10 @@ void printLevels(const BakedObjectReport& object) {
                         cell("%.2g", level.protrusion, 1 / object.diagonal).c_str(),
                         cell("%.0f", level.selfIntersections).c_str(),
                         cell("%.3g m", level.thinnest).c_str());
+        if (level.colliders)
+            std::printf(" %6u %7.3g%% %9.2g", level.colliders->hulls,
+                        100 * level.colliders->coverage,
+                        level.colliders->overlap / object.diagonal);
         std::printf("\n");
     }
 }
@@ -124,7 +128,8 @@ void printTable(const BakeReport& report) {
                 "closed", "volume", "hidden");
     const bool measured = !report.objects.empty() && report.objects[0].levels[0].protrusion;
     if (measured)
-        std::printf(" %8s %8s %9s %9s %9s", "none", "double", "outside", "crossings", "thinnest");
+        std::printf(" %8s %8s %9s %9s %9s %6s %8s %9s", "none", "double", "outside", "crossings",
+                    "thinnest", "hulls", "filled", "overlap");
     std::printf("\n");
     for (const BakedObjectReport& object : report.objects) {
         printLevels(object);

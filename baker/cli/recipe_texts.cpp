@@ -167,6 +167,7 @@ const char* const kRecipeSchema = R"({
         "restitution": {"type": "number", "minimum": 0, "maximum": 1},
         "strength": {"description": "Pa", "type": "number", "minimum": 0, "maximum": 1e15},
         "toughness": {"description": "J/m2", "type": "number", "minimum": 0, "maximum": 1e15},
+        "convexParts": {"description": "of a piece's collider, at most", "type": "integer", "minimum": 1, "maximum": 8},
         "hullVertices": {"type": "integer", "minimum": 4, "maximum": 255},
         "hullMargin": {"description": "metres", "type": "number", "minimum": 0, "maximum": 1e6}
       }

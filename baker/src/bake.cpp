@@ -9,6 +9,7 @@
 
 #include "appearance/hidden_looks.h"
 #include "assembly/anchors.h"
+#include "assembly/colliders.h"
 #include "assembly/geometry.h"
 #include "assembly/labels.h"
 #include "assembly/physics.h"
@@ -414,7 +415,7 @@ class Bake {
         }
         {
             const StageTimer timer = stage("hulls", 0.85);
-            assembleHulls(recipe_.physics, recipe_.threads, set);
+            assembleColliders(recipe_.physics, recipe_.threads, set);
         }
         const StageTimer timer = stage("bonds", 0.9);
         assembleBonds(hierarchy, bondStrengths(labels, hierarchy, origins),

@@ -15,6 +15,20 @@ void put(Json& json, const char* key, const std::optional<Value>& value) {
     if (value) json[key] = *value;
 }
 
+Json colliderJson(const BakedCollider& collider) {
+    return {{"hulls", collider.hulls},         {"coverage", collider.coverage},
+            {"overlap", collider.overlap},     {"outside", collider.outside},
+            {"uncovered", collider.uncovered}, {"convex", collider.convex}};
+}
+
+Json collidersJson(const BakedColliders& colliders) {
+    return {{"hulls", colliders.hulls},
+            {"coverage", {{"median", colliders.coverage}, {"least", colliders.leastCoverage}}},
+            {"overlap", colliders.overlap},
+            {"outside", colliders.outside},
+            {"uncovered", colliders.uncovered}};
+}
+
 Json levelJson(const BakedLevelReport& level) {
     Json json{{"fragments", level.fragments},
               {"components", level.components},
@@ -27,6 +41,7 @@ Json levelJson(const BakedLevelReport& level) {
     put(json, "protrusion", level.protrusion);
     put(json, "selfIntersections", level.selfIntersections);
     put(json, "thinnest", level.thinnest);
+    if (level.colliders) json["colliders"] = collidersJson(*level.colliders);
     return json;
 }
 
@@ -40,6 +55,7 @@ Json fragmentJson(const BakedFragmentReport& fragment) {
     put(json, "protrusion", fragment.protrusion);
     put(json, "selfIntersections", fragment.selfIntersections);
     put(json, "thinnest", fragment.thinnest);
+    if (fragment.collider) json["collider"] = colliderJson(*fragment.collider);
     return json;
 }
 

@@ -316,12 +316,32 @@ TEST_CASE("a hull that leaves its fragment is found") {
     CHECK(failures(set) == Codes{"hull_outside"});
 }
 
+TEST_CASE(
+    "hulls of neighbours inside each other are worth a warning, at whatever levels they are") {
+    FractureSet set = makeFracturedCube(threeLevels());
+    CHECK(checked(bake(set)).findings.empty());
+    // Less than a hull may reach out of the box of its fragment.
+    const int32_t parent = set.fragments[lastFragment(set)].parent;
+    const uint32_t f = set.fragments[static_cast<size_t>(parent)].children.first;
+    set.hulls[set.fragments[f].hulls.first].margin += 0.0003F;
+    const CheckReport report = checked(bake(set));
+    CHECK(report.passed());
+    REQUIRE(report.findings.size() >= 3);  // its siblings, and what is coarser beside it
+    std::set<uint32_t> levels;
+    for (const Finding& finding : report.findings) {
+        CHECK(finding.code == "hull_overlap");
+        CHECK(finding.severity == Severity::warning);
+        levels.insert(set.fragments[static_cast<size_t>(finding.fragment)].level);
+    }
+    CHECK(levels.size() > 1);
+}
+
 TEST_CASE("a hull that two fragments use, or that is far too small, is worth a warning") {
     FractureSet set = makeFracturedCube(threeLevels());
     set.fragments[6].hulls = set.fragments[5].hulls;
     Codes codes;
     for (const Finding& finding : checked(bake(set)).findings) codes.insert(finding.code);
-    CHECK(codes == Codes{"hull_outside", "hull_shared"});
+    CHECK(codes == Codes{"hull_outside", "hull_overlap", "hull_shared"});
     set = makeFracturedCube(threeLevels());
     const glm::vec3 center = set.fragments[2].centerOfMass;
     for (uint32_t i = 8 * 2; i < 8 * 3; ++i)

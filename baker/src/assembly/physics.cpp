@@ -9,7 +9,6 @@
 #include "geometry/bounds.h"
 #include "geometry/parallel_for.h"
 #include "physics/bonds.h"
-#include "physics/convex_hull.h"
 #include "physics/mass_properties.h"
 
 namespace sherd {
@@ -105,21 +104,6 @@ uint32_t assembleMasses(const Hierarchy& hierarchy, unsigned threads, FractureSe
         fragment.inertiaOrientation = axes.orientation;
     }
     return static_cast<uint32_t>(std::count(boxed.begin(), boxed.end(), 1));
-}
-
-void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSet& set) {
-    std::vector<ColliderHull> hulls(set.fragments.size());
-    const HullOptions options{settings.hullVertices, static_cast<float>(settings.hullMargin)};
-    parallelRuns(hulls.size(), 1, threads, [&](size_t f, size_t) {
-        hulls[f] = colliderHull(usedPositions(set, static_cast<uint32_t>(f)), options);
-    });
-    for (size_t f = 0; f < hulls.size(); ++f) {
-        set.fragments[f].hulls = {static_cast<uint32_t>(set.hulls.size()), 1};
-        set.hulls.push_back({{static_cast<uint32_t>(set.hullPoints.size()),
-                              static_cast<uint32_t>(hulls[f].points.size())},
-                             hulls[f].margin});
-        set.hullPoints.insert(set.hullPoints.end(), hulls[f].points.begin(), hulls[f].points.end());
-    }
 }
 
 void assembleBonds(const Hierarchy& hierarchy, const BondStrengths& strengths,

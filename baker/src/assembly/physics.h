@@ -18,9 +18,6 @@ void assembleFragments(const Hierarchy& hierarchy, const PhysicsSettings& settin
 /// that of any body gets that of its bounding box; returns how many.
 uint32_t assembleMasses(const Hierarchy& hierarchy, unsigned threads, FractureSet& set);
 
-/// One convex hull per fragment.
-void assembleHulls(const PhysicsSettings& settings, unsigned threads, FractureSet& set);
-
 /// Between leaves: walls they share, and sheets that face each other within `sheetTolerance`
 /// metres.
 void assembleBonds(const Hierarchy& hierarchy, const BondStrengths& strengths,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "measures/collider_measures.h"
 #include "measures/hidden_area.h"
 #include "measures/level_coverage.h"
 #include "measures/self_intersections.h"
@@ -61,6 +62,7 @@ void measureSlowly(const ShownTriangles& shown, const OriginalSolid& solid, unsi
         fragment.selfIntersections = crossings.ofFragment[f];
         if (thinnest[f] > 0) fragment.thinnest = thinnest[f];
     }
+    measureColliders(shown.set(), {.threads = threads}, report);
     if (crossings.complete) return;
     report.findings.push_back({"many-intersections",
                                "too many triangles lie in one place to compare each with each; the "

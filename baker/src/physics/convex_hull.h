@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,8 +11,11 @@ namespace sherd {
 
 struct HullOptions {
     static constexpr float kAutomatic = -1;
-    uint32_t maxVertices = 16;  ///< 8 to 64
+    uint32_t maxVertices = 16;  ///< 8 to 255
     float margin = kAutomatic;  ///< metres; automatic: 1 % of the largest extent
+    double reach = std::numeric_limits<double>::infinity();  ///< metres that the margin may round
+                                                             ///< corners off: it is less where
+                                                             ///< they are sharp
 };
 
 /// A convex collider, its points shrunk inwards by its collision margin.
@@ -22,6 +26,7 @@ struct ColliderHull {
 
 /// Points and margin together stay within the convex hull of `points` (flat input excepted: it is
 /// given a thickness of 1/1000 of its size). Any input gives a usable collider.
+ColliderHull colliderHull(std::span<const glm::dvec3> points, const HullOptions& options);
 ColliderHull colliderHull(std::span<const glm::vec3> points, const HullOptions& options);
 
 }  // namespace sherd

@@ -8,7 +8,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
 #include <utility>
+
+#include "geometry/predicates.h"
 
 namespace sherd {
 namespace {
@@ -32,12 +36,15 @@ struct Face {
     std::array<uint32_t, 3> v;
     glm::dvec3 normal;  ///< twice the area long; outwards
     double offset;
+    double length;  ///< of the normal
 };
 
+/// What every point would add to the hull and how far it lies outside are kept up to date face by
+/// face: asking for all of them again after every step took ten times as long.
 class GreedyHull {
   public:
     GreedyHull(std::span<const glm::dvec3> points, const std::vector<uint32_t>& simplex)
-        : points_(points) {
+        : points_(points), gain_(points.size(), 0.0) {
         for (const uint32_t v : simplex) inside_ += 0.25 * points[v];
         for (int skip = 0; skip < 4; ++skip) {
             std::array<uint32_t, 3> v{};
@@ -48,62 +55,128 @@ class GreedyHull {
             if (glm::dot(face.normal, inside_) > face.offset) {
                 face = makeFace({v[0], v[2], v[1]});
             }
-            faces_.push_back(face);
+            insert(face);
         }
+        volume6_ = std::abs(faces_[0].offset - glm::dot(faces_[0].normal, points[simplex[0]]));
+        for (const uint32_t v : simplex) gain_[v] = 0;
     }
 
-    /// Volume gained by adding p, times 6.
-    double gain(const glm::dvec3& p) const {
-        double sum = 0;
-        for (const Face& face : faces_) {
-            const double height = glm::dot(face.normal, p) - face.offset;
-            if (height > 0) sum += height;
-        }
-        return sum;
+    double volume() const { return volume6_ / 6; }
+    /// Volume gained by each point, times 6.
+    const std::vector<double>& gains() const { return gain_; }
+
+    /// How far the point lies outside at least.
+    double farness(uint32_t point) const {
+        double most = 0;
+        for (const Face& face : faces_)
+            most = std::max(most, height(face, points_[point]) / face.length);
+        return most;
     }
 
     void add(uint32_t vertex) {
         const glm::dvec3& p = points_[vertex];
+        volume6_ += gain_[vertex];
         std::vector<std::pair<uint32_t, uint32_t>> edges;
         std::vector<Face> kept;
         for (const Face& face : faces_) {
-            if (!(glm::dot(face.normal, p) - face.offset > 0)) {
+            // Exactly: points that planes cut lie in one plane but for rounding, and of what such a
+            // point sees rounding leaves no disc; edges then multiply with every step.
+            if (orient3d(points_[face.v[0]], points_[face.v[1]], points_[face.v[2]], p) <= 0) {
                 kept.push_back(face);
                 continue;
             }
+            count(face, -1);
             for (size_t k = 0; k < 3; ++k) edges.emplace_back(face.v[k], face.v[(k + 1) % 3]);
         }
+        faces_ = std::move(kept);
         for (const auto& [a, b] : edges) {
             const bool isInner =
                 std::find(edges.begin(), edges.end(), std::pair(b, a)) != edges.end();
-            if (!isInner) kept.push_back(makeFace({a, b, vertex}));
+            if (!isInner) insert(makeFace({a, b, vertex}));
         }
-        faces_ = std::move(kept);
+        gain_[vertex] = 0;
     }
 
   private:
     Face makeFace(const std::array<uint32_t, 3>& v) const {
         const glm::dvec3& a = points_[v[0]];
         const glm::dvec3 normal = glm::cross(points_[v[1]] - a, points_[v[2]] - a);
-        return {v, normal, glm::dot(normal, a)};
+        return {v, normal, glm::dot(normal, a), std::max(glm::length(normal), 1e-300)};
+    }
+
+    static double height(const Face& face, const glm::dvec3& p) {
+        return glm::dot(face.normal, p) - face.offset;
+    }
+
+    void insert(const Face& face) {
+        faces_.push_back(face);
+        count(face, 1);
+    }
+
+    void count(const Face& face, double sign) {
+        for (size_t i = 0; i < points_.size(); ++i)
+            gain_[i] += sign * std::max(0.0, height(face, points_[i]));
     }
 
     std::span<const glm::dvec3> points_;
     glm::dvec3 inside_{0.0};
     std::vector<Face> faces_;
+    std::vector<double> gain_;
+    double volume6_ = 0;
 };
 
+/// Finds the farthest of the points that count. Points come nearer as the hull grows: what was
+/// measured once is the most that a distance can be, so few are measured again.
+class FarthestPoint {
+  public:
+    FarthestPoint(std::span<const uint8_t> counts, double reach) : reach_(reach) {
+        for (const uint8_t does : counts)
+            most_.push_back(does != 0 ? std::numeric_limits<double>::infinity() : 0.0);
+    }
+
+    /// One farther than the reach; nothing: there is none.
+    std::optional<uint32_t> next(const GreedyHull& hull) {
+        while (!most_.empty()) {
+            const auto top = std::max_element(most_.begin(), most_.end());
+            if (*top <= reach_) break;
+            const auto point = static_cast<uint32_t>(top - most_.begin());
+            const double farness = hull.farness(point);
+            if (farness >= *top) return point;
+            *top = farness;
+            const double second = *std::max_element(most_.begin(), most_.end());
+            if (farness > reach_ && farness >= second) return point;
+        }
+        return std::nullopt;
+    }
+
+  private:
+    double reach_;
+    std::vector<double> most_;  ///< per point: no farther than this
+};
+
+/// The point that is to be in the hull next; nothing: none has to.
+std::optional<uint32_t> nextPoint(const GreedyHull& hull, size_t chosen, const SelectionGoal& goal,
+                                  FarthestPoint& farthestPoint) {
+    const std::vector<double>& gains = hull.gains();
+    const auto best = std::max_element(gains.begin(), gains.end());
+    if (!(*best > 1e-9)) return std::nullopt;
+    if (chosen < goal.count || hull.volume() < goal.volume)
+        return static_cast<uint32_t>(best - gains.begin());
+    const std::optional<uint32_t> far = farthestPoint.next(hull);
+    // What adds nothing lies on the hull but for rounding.
+    return far && gains[*far] > 1e-9 ? far : std::nullopt;
+}
+
 std::vector<uint32_t> selectSolid(std::span<const glm::dvec3> points,
-                                  const std::vector<uint32_t>& simplex, uint32_t count) {
+                                  const std::vector<uint32_t>& simplex, const SelectionGoal& goal) {
     std::vector<uint32_t> chosen = simplex;
     GreedyHull hull(points, simplex);
-    while (chosen.size() < count) {
-        double most = 0;
-        const uint32_t best = farthest(
-            points, [&](const glm::dvec3& p) { return hull.gain(p); }, most);
-        if (!(most > 1e-9)) break;
-        hull.add(best);
-        chosen.push_back(best);
+    FarthestPoint farthestPoint(goal.counts, goal.reach);
+    while (chosen.size() < std::max(goal.count, goal.most)) {
+        const std::optional<uint32_t> next = nextPoint(hull, chosen.size(), goal, farthestPoint);
+        if (!next) break;
+        hull.add(*next);
+        chosen.push_back(*next);
     }
     return chosen;
 }
@@ -169,9 +242,9 @@ Span spanOf(std::span<const glm::dvec3> points) {
 }
 
 std::vector<uint32_t> selectHullVertices(std::span<const glm::dvec3> points, const Span& span,
-                                         uint32_t count) {
-    if (span.dimension == 3) return selectSolid(points, span.simplex, count);
-    if (span.dimension == 2) return selectFlat(points, span, count);
+                                         const SelectionGoal& goal) {
+    if (span.dimension == 3) return selectSolid(points, span.simplex, goal);
+    if (span.dimension == 2) return selectFlat(points, span, goal.count);
     return span.simplex;
 }
 

@@ -18,8 +18,17 @@ struct Span {
 /// `points` are of about unit size.
 Span spanOf(std::span<const glm::dvec3> points);
 
-/// At most `count` of the points whose hull fills as much of the hull of all as greed can get.
+/// How many points may be chosen, and what is worth more than that.
+struct SelectionGoal {
+    uint32_t count = 16;
+    uint32_t most = 16;  ///< as many as this where the count does not meet what follows
+    double volume = 0;   ///< to be filled, in the cube of the points' unit
+    double reach = 0;    ///< how far points that count may stay outside
+    std::span<const uint8_t> counts = {};  ///< per point whether it does; empty: none
+};
+
+/// The points whose hull fills as much of the hull of all as greed can get.
 std::vector<uint32_t> selectHullVertices(std::span<const glm::dvec3> points, const Span& span,
-                                         uint32_t count);
+                                         const SelectionGoal& goal);
 
 }  // namespace sherd

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// btConvexHullComputer can shrink too, but it rounds to 1/10216 of the extent, which is more than
-// neighbouring colliders may overlap. With at most some tens of points the faces are found exactly
-// enough by trying all triples.
+// Every corner goes where three of the faces meeting in it do once they are moved inwards.
 #include "physics/hull_shrink.h"
 
 #include <algorithm>
@@ -13,26 +11,6 @@ namespace sherd {
 namespace {
 
 constexpr double kTouch = 1e-9;
-
-bool isKnown(const std::vector<HalfSpace>& known, const glm::dvec3& normal, double offset) {
-    return std::any_of(known.begin(), known.end(), [&](const HalfSpace& h) {
-        const glm::dvec3 d = h.normal - normal;
-        return glm::dot(d, d) < 1e-14 && std::abs(h.offset - offset) < 1e-7;
-    });
-}
-
-/// Adds n.x <= offset if all points satisfy it.
-void addIfSupporting(std::span<const glm::dvec3> points, const glm::dvec3& normal,
-                     const glm::dvec3& on, std::vector<HalfSpace>& out) {
-    const double limit = glm::dot(normal, on) + kTouch;
-    double reach = limit - kTouch;
-    for (const glm::dvec3& p : points) {
-        const double d = glm::dot(normal, p);
-        if (d > limit) return;
-        reach = std::max(reach, d);
-    }
-    if (!isKnown(out, normal, reach)) out.push_back({normal, reach});
-}
 
 bool isWithin(const glm::dvec3& p, std::span<const HalfSpace> halfSpaces, double margin) {
     return std::all_of(halfSpaces.begin(), halfSpaces.end(), [&](const HalfSpace& h) {
@@ -83,22 +61,6 @@ glm::dvec3 pullIn(const glm::dvec3& p, const glm::dvec3& inside,
 }
 
 }  // namespace
-
-std::vector<HalfSpace> supportingHalfSpaces(std::span<const glm::dvec3> points) {
-    std::vector<HalfSpace> out;
-    for (size_t i = 0; i < points.size(); ++i) {
-        for (size_t j = i + 1; j < points.size(); ++j) {
-            for (size_t k = j + 1; k < points.size(); ++k) {
-                const glm::dvec3 n = glm::cross(points[j] - points[i], points[k] - points[i]);
-                const double length = glm::length(n);
-                if (length < 1e-12) continue;
-                addIfSupporting(points, n / length, points[i], out);
-                addIfSupporting(points, -n / length, points[i], out);
-            }
-        }
-    }
-    return out;
-}
 
 double thinnestExtent(std::span<const glm::dvec3> points, std::span<const HalfSpace> halfSpaces) {
     double thinnest = std::numeric_limits<double>::infinity();

@@ -5,16 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "physics/polytope.h"
+
 namespace sherd {
-
-/// n . x <= offset, n unit.
-struct HalfSpace {
-    glm::dvec3 normal;
-    double offset;
-};
-
-/// The half-spaces through faces of the convex hull of a few points (tens) of about unit size.
-std::vector<HalfSpace> supportingHalfSpaces(std::span<const glm::dvec3> points);
 
 /// The smallest width of the points across any of the half-spaces.
 double thinnestExtent(std::span<const glm::dvec3> points, std::span<const HalfSpace> halfSpaces);

@@ -16,6 +16,7 @@ bool readPhysics(RecipeReader& reader, const nlohmann::json& json, const std::st
                           {"restitution", reader.number(physics.restitution, 0, 1)},
                           {"strength", reader.number(physics.strength, 0, 1e15)},
                           {"toughness", reader.number(physics.toughness, 0, 1e15)},
+                          {"convexParts", reader.integer(physics.convexParts, 1, 8)},
                           {"hullVertices", reader.integer(physics.hullVertices, 4, 255)},
                           {"hullMargin", reader.number(physics.hullMargin, 0, 1e6)}});
 }

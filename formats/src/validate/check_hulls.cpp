@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "check_context.h"
+#include "sherd/formats/hull_measures.h"
 
 namespace sherd {
 
@@ -91,6 +92,20 @@ void checkReach(CheckContext& context, int32_t f, const Box& box, double margin)
     }
 }
 
+/// Bodies of overlapping colliders would be pushed apart as soon as they come to be.
+void checkApart(CheckContext& context) {
+    const ColliderOverlaps found =
+        colliderOverlaps(context.set, context.options.tolerance * context.out.diagonal);
+    for (const ColliderOverlap& overlap : found.pairs)
+        context.find(Severity::warning, "hull_overlap", static_cast<int32_t>(overlap.a),
+                     "its hulls and those of fragment " + std::to_string(overlap.b) +
+                         " are inside each other by " + shortNumber(overlap.depth) + " m",
+                     "/hulls/points");
+    if (!found.complete)
+        context.find(Severity::note, "overlaps_uncounted", -1,
+                     "too many hulls lie in one place to hold each against each", "/hulls/points");
+}
+
 }  // namespace
 
 void checkHulls(CheckContext& context) {
@@ -122,6 +137,7 @@ void checkHulls(CheckContext& context) {
         }
         checkReach(context, id, all, margin);
     }
+    checkApart(context);
 }
 
 }  // namespace sherd

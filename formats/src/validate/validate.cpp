@@ -4,8 +4,8 @@
 //             volume_sum, mass_wrong, mass_sum, density_wrong, center_of_mass_wrong, inertia_wrong,
 //             hidden_outside, hull_flat, hull_outside, bond_area, bond_centroid, bond_normal,
 //             no_bonds, normal_not_unit, stale
-//   warnings: no_collider, hull_small, hull_shared, bond_missing     notes: object_open,
-//             self_intersecting, crossings_uncounted
+//   warnings: no_collider, hull_small, hull_shared, hull_overlap, bond_missing
+//   notes: object_open, self_intersecting, crossings_uncounted, overlaps_uncounted
 #include "sherd/formats/validate.h"
 
 #include <algorithm>

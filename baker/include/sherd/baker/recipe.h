@@ -82,7 +82,8 @@ struct PhysicsSettings {
     double restitution = 0.05;   ///< 0..1
     double strength = 1e6;       ///< Pa
     double toughness = 50;       ///< J/m^2
-    uint32_t hullVertices = 16;  ///< 4..255 per collider
+    uint32_t convexParts = 8;    ///< 1..8 per piece at most; only concave ones need several
+    uint32_t hullVertices = 16;  ///< 4..255 per part; up to 64 if its shape needs them
     double hullMargin = 0.01;    ///< metres at most; never above a tenth of the thinnest extent
 };
 

@@ -27,6 +27,26 @@ struct BakeFinding {
                                          ///< most
 };
 
+/// How the collider of a fragment fits; margins included.
+struct BakedCollider {
+    uint32_t hulls = 0;    ///< convex parts
+    double coverage = 0;   ///< share of the fragment's volume in it
+    double overlap = 0;    ///< how deep it is in those of fragments beside it, metres
+    double outside = 0;    ///< how far it reaches out of the fragment, metres
+    double uncovered = 0;  ///< how far the fragment's outer surface reaches out of it, metres
+    bool convex = false;   ///< the fragment all but fills its own convex hull
+};
+
+/// The same of all fragments of a level.
+struct BakedColliders {
+    uint32_t hulls = 0;        ///< in all
+    double coverage = 0;       ///< median
+    double leastCoverage = 0;  ///< of one fragment
+    double overlap = 0;        ///< the deepest, metres
+    double outside = 0;        ///< the farthest, metres
+    double uncovered = 0;      ///< likewise
+};
+
 struct BakedLevelReport {
     uint32_t fragments = 0;   ///< standing at this level, undivided shallower ones included
     uint32_t components = 0;  ///< surface components the lines of this level make, before merging
@@ -39,6 +59,7 @@ struct BakedLevelReport {
     std::optional<double> protrusion = {};           ///< the deepest, metres
     std::optional<uint64_t> selfIntersections = {};  ///< of all fragments
     std::optional<double> thinnest = {};             ///< of the thinnest fragment, metres
+    std::optional<BakedColliders> colliders = {};
 };
 
 /// One piece; entry f is fragment f of the file, [0] the intact object.
@@ -57,6 +78,7 @@ struct BakedFragmentReport {
     std::optional<uint64_t> selfIntersections = {};
     /// Straight inwards from the surface, metres: as much as a tenth of the surface has at most.
     std::optional<double> thinnest = {};
+    std::optional<BakedCollider> collider = {};
 };
 
 /// A hole of the mesh that was closed (--cap-holes).
