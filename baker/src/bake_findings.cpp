@@ -173,9 +173,8 @@ void reportFragments(const FractureSet& set, bool shells, BakedObjectReport& rep
         entry.name = set.fragments[f].name;
         entry.level = set.fragments[f].level;
         entry.volume = set.fragments[f].volume;
-        entry.closed =
-            entry.volume > 0 &&
-            proveByPositions(set.geometry.positions, fragmentTriangles(set, f)).closed();
+        entry.closed = entry.volume > 0 &&
+                       proveByPositions(set.geometry.positions, fragmentTriangles(set, f)).closed();
         report.fragments.push_back(std::move(entry));
     }
     report.bonds = static_cast<uint32_t>(set.bonds.size());

@@ -208,7 +208,8 @@ class Baking(CommandCase):
         plain = self.bake().stdout.splitlines()[0].split()
         asked = self.bake('--measure').stdout.splitlines()[0].split()
         reported = self.bake('--report', report).stdout.splitlines()[0].split()
-        self.assertEqual(asked, plain + ['none', 'double', 'outside', 'crossings', 'thinnest'])
+        self.assertEqual(asked, plain + ['none', 'double', 'outside', 'crossings', 'thinnest',
+                                         'hulls', 'filled', 'overlap'])
         self.assertEqual(reported, asked)
         cube, = json.loads(report.read_text())['objects']
         for level in cube['levels'] + cube['fragments']:

@@ -117,9 +117,8 @@ class Assembly {
     /// Where slivers go that touch nothing: a fold of the skin, say, alone in its cell.
     uint32_t largestPiece() const {
         const auto most = std::max_element(
-            built_.begin(), built_.end(), [](const BuiltPiece& a, const BuiltPiece& b) {
-                return a.mesh.volume < b.mesh.volume;
-            });
+            built_.begin(), built_.end(),
+            [](const BuiltPiece& a, const BuiltPiece& b) { return a.mesh.volume < b.mesh.volume; });
         return static_cast<uint32_t>(most - built_.begin());
     }
 
