@@ -303,9 +303,8 @@ class Bake {
             clusters_.push_back(
                 {&g.cluster, g.cuts ? drawn + *g.cuts : cut_.lines.closedUp(g.lines)});
         const PieceModel model{mesh_, cut_.surface, components_, hidden_};
-        const Result<void> done =
-            addClusters(clusters_, {kSheetTolerance * diagonal_, recipe_.threads}, namedPieces(),
-                        model, report());
+        Result<void> done = addClusters(clusters_, {kSheetTolerance * diagonal_, recipe_.threads},
+                                        namedPieces(), model, report());
         if (done) beginLooks();
         return done;
     }

@@ -51,15 +51,12 @@ FracturePlan stackLevels(std::vector<FracturePlan> levels) {
     const auto counted = static_cast<size_t>(
         std::count_if(levels.begin(), levels.end(), [](const auto& l) { return !isCluster(l); }));
     uint32_t level = 0;
-    for (size_t k = 0; k < levels.size(); ++k) {
-        if (!isCluster(levels[k]) && counted > 1) setLevel(levels[k], ++level);
-        std::move(levels[k].clusters.begin(), levels[k].clusters.end(),
-                  std::back_inserter(all.clusters));
-        std::move(levels[k].drawings.begin(), levels[k].drawings.end(),
-                  std::back_inserter(all.drawings));
-        std::move(levels[k].patterns.begin(), levels[k].patterns.end(),
-                  std::back_inserter(all.patterns));
-        std::move(levels[k].cuts.begin(), levels[k].cuts.end(), std::back_inserter(all.cuts));
+    for (FracturePlan& plan : levels) {
+        if (!isCluster(plan) && counted > 1) setLevel(plan, ++level);
+        std::move(plan.clusters.begin(), plan.clusters.end(), std::back_inserter(all.clusters));
+        std::move(plan.drawings.begin(), plan.drawings.end(), std::back_inserter(all.drawings));
+        std::move(plan.patterns.begin(), plan.patterns.end(), std::back_inserter(all.patterns));
+        std::move(plan.cuts.begin(), plan.cuts.end(), std::back_inserter(all.cuts));
     }
     return all;
 }

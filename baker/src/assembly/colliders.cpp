@@ -173,18 +173,22 @@ class ColliderAssembler {
 
     std::vector<std::pair<uint32_t, uint32_t>> closePairs() const {
         std::vector<FloatBox> boxes;
-        for (const ColliderPart& part : parts_) {
+        std::vector<uint32_t> boxed;  // parts that are no body of their own meet nothing
+        for (uint32_t i = 0; i < parts_.size(); ++i) {
+            if (parts_[i].body.empty()) continue;
             Bounds box;
-            for (const glm::dvec3& p : part.body.points) box.add(p);
+            for (const glm::dvec3& p : parts_[i].body.points) box.add(p);
             // Rounded, but what would be missed touches only.
             boxes.push_back({glm::vec3(box.low), glm::vec3(box.high)});
+            boxed.push_back(i);
         }
         const BoxTree tree(std::move(boxes));
         std::vector<std::pair<uint32_t, uint32_t>> pairs;
         for (size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
             tree.pairsOf(leaf, ~size_t{0}, [&](uint32_t a, uint32_t b) {
-                if (mayMeet(parts_[a].fragment, parts_[b].fragment))
-                    pairs.emplace_back(std::min(a, b), std::max(a, b));
+                const auto [low, high] = std::minmax(boxed[a], boxed[b]);
+                if (mayMeet(parts_[low].fragment, parts_[high].fragment))
+                    pairs.emplace_back(low, high);
             });
         }
         std::sort(pairs.begin(), pairs.end());

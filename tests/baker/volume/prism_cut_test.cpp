@@ -318,5 +318,5 @@ TEST_CASE("random drawings through random solids: closed, shared, complete, and 
         CHECK(prisms.solid.cut.report.fans == 0);
     }
     MESSAGE(pieces << " pieces of " << cut << " solids that were cut");
-    CHECK(cut > 40);
+    CHECK(3 * cut > static_cast<uint32_t>(propertyCases(120)));  // what the test is for does happen
 }
