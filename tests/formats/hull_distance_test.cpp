@@ -14,6 +14,7 @@ namespace {
 
 std::vector<glm::dvec3> cubeAt(const glm::dvec3& low) {
     std::vector<glm::dvec3> out;
+    out.reserve(8);
     for (int i = 0; i < 8; ++i) out.push_back(low + glm::dvec3(i & 1, i >> 1 & 1, i >> 2 & 1));
     return out;
 }

@@ -165,6 +165,7 @@ TEST_CASE("two Ls that clasp each other do not overlap, however few parts they m
 
 TEST_CASE("neighbouring cubes touch and are not clipped") {
     std::vector<PieceMesh> pieces;
+    pieces.reserve(27);
     for (int i = 0; i < 27; ++i) pieces.push_back(cubes({{i % 3, i / 3 % 3, i / 9}}, 0.1F));
     const FractureSet set = collided(pieces, settingsWith(8, 0.001));
     const BakedObjectReport report = measured(set);

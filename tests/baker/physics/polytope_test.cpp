@@ -64,7 +64,8 @@ TEST_CASE("no points, one, two, points on a line and in a plane have no hull") {
         std::vector<glm::dvec3> line, plane;
         for (int i = 0; i < count; ++i) {
             line.emplace_back(0.25 * i, 0.5 * i, -i);
-            plane.emplace_back(i % 7, i / 7, 2 * (i % 7) - 3.0 * (i / 7));
+            const int row = i / 7;
+            plane.emplace_back(i % 7, row, 2 * (i % 7) - 3.0 * row);
         }
         CHECK(hullOf(line).empty());
         CHECK(hullOf(plane).empty());
@@ -81,6 +82,7 @@ TEST_CASE("four points are their own hull") {
 
 TEST_CASE("a lattice in a cube, each point twice, has the cube for a hull") {
     std::vector<glm::dvec3> lattice;
+    lattice.reserve(250);
     for (int i = 0; i < 2 * 5 * 5 * 5; ++i) lattice.emplace_back(i % 5, i / 5 % 5, i / 25 % 5);
     const Polytope hull = hullOf(lattice);
     CHECK(hull.points.size() == 8);
