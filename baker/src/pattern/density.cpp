@@ -57,7 +57,8 @@ Density byColor(const SurfaceMesh& mesh, const SplitSurface& surface, const Attr
 
 Density byPicture(const SurfaceMesh& mesh, const SplitSurface& surface,
                   std::shared_ptr<const GreyImage> picture) {
-    return [&mesh, &surface, picture](uint32_t triangle, const glm::dvec3& weights) {
+    return [&mesh, &surface, picture = std::move(picture)](uint32_t triangle,
+                                                           const glm::dvec3& weights) {
         const std::optional<glm::dvec2> uv =
             uvOf(mesh, surface.triangles[triangle].source, pointOn(surface, triangle, weights));
         const auto texel = [](double x, uint32_t size) {
