@@ -2,7 +2,8 @@
 #include "assembly/piece_materials.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
+
+#include "geometry/triangle.h"
 
 namespace sherd {
 namespace {
@@ -14,10 +15,7 @@ class Areas {
 
     void add(uint32_t leaf, uint32_t material, const std::vector<glm::vec3>& positions,
              const std::array<uint32_t, 3>& v) {
-        const glm::dvec3 a = positions[v[0]];
-        const glm::dvec3 b = positions[v[1]];
-        const glm::dvec3 c = positions[v[2]];
-        of_[leaf * materials_ + material] += 0.5 * glm::length(glm::cross(b - a, c - a));
+        of_[leaf * materials_ + material] += triangleArea(positions, v);
     }
 
     /// The largest of the leaves together; nothing if they have no area.

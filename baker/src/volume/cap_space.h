@@ -18,6 +18,8 @@ class CapSpace {
     virtual uint32_t count() const = 0;
     /// In grid steps, off by less than 2^-23 of one.
     virtual const glm::dvec3& gridPosition(uint32_t vertex) const = 0;
+    /// In the mesh's unit, as it is written.
+    virtual const glm::vec3& position(uint32_t vertex) const = 0;
     virtual ExactPlace exactPlace(uint32_t vertex) const = 0;
     /// Across the plane between two cells, from i to j; of any length.
     virtual glm::dvec3 normal(uint32_t i, uint32_t j) const = 0;

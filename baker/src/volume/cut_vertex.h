@@ -56,7 +56,7 @@ class CutVertices final : public CapSpace {
     /// In grid steps, off by less than 2^-23 of one.
     const glm::dvec3& gridPosition(uint32_t vertex) const override { return grid_[vertex]; }
     glm::dvec3 normal(uint32_t i, uint32_t j) const override;
-    const glm::vec3& position(uint32_t vertex) const { return world_[vertex]; }
+    const glm::vec3& position(uint32_t vertex) const override { return world_[vertex]; }
     ExactPlace exactPlace(uint32_t vertex) const override;
     Kind kind(uint32_t vertex) const;
     /// The weights of the corners of a triangle that the vertex lies on, as it is made there.

@@ -2,14 +2,12 @@
 #include "volume/mesh_cut.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <optional>
 #include <utility>
 
-#include "geometry/closed_mesh.h"
-#include "geometry/union_find.h"
 #include "volume/cell_complex.h"
 #include "volume/coplanar_faces.h"
+#include "volume/cut_result.h"
 #include "volume/cut_vertex.h"
 #include "volume/edge_windings.h"
 #include "volume/face_caps.h"
@@ -50,7 +48,7 @@ class Cutting {
                    kCoplanarBand * input.grid.extent() / input.grid.step()),
           vertices_(input),
           cells_(complex_, vertices_),
-          merged_(vertices_.count()) {}
+          result_(vertices_) {}
 
     /// The skin's parts, and the faces that lie in planes between cells.
     const std::vector<CoplanarFace>& cutSkin() {
@@ -65,12 +63,10 @@ class Cutting {
         if (!inner) {
             return fail(ErrorCode::internal, "the mesh has no consistent inside; please report it");
         }
-        merged_.grow(vertices_.count());
+        result_.grow();
         for (const InnerStretch& stretch : *inner) addStretch(stretch);
         buildCaps();
-        sortSkin();
-        replaceUnited();
-        return std::move(cut_);
+        return result_.finish(input_.functions.count(), input_.triangles);
     }
 
   private:
@@ -97,28 +93,23 @@ class Cutting {
         const bool mayLieInPlane =
             nearPlane_[v[0]] != 0 && nearPlane_[v[1]] != 0 && nearPlane_[v[2]] != 0;
         if (cells[0] == cells[1] && cells[1] == cells[2] && !mayLieInPlane) {
-            addSkin(cells[0], {v, t, MeshCut::kWhole});
+            result_.addSkin(cells[0], {v, t, MeshCut::kWhole});
             return;
         }
         for (const TriangleCells::Polygon& polygon : cells_.run(t, cells)) addPolygon(t, polygon);
-    }
-
-    void addSkin(uint32_t cell, const MeshCut::SkinTriangle& triangle) {
-        skin_.push_back(triangle);
-        cellOfSkin_.push_back(cell);
     }
 
     void addPolygon(uint32_t t, const TriangleCells::Polygon& polygon) {
         const size_t n = polygon.sides.size();
         if (n == 0) return;
         if (!polygon.coplanar.empty()) addCoplanarFaces(input_, t, polygon, vertices_, coplanar_);
-        merged_.grow(vertices_.count());
+        result_.grow();
         for (size_t k = 0; k < n; ++k) {
             const TriangleCells::Side& side = polygon.sides[k];
             const TriangleCells::Side& next = polygon.sides[(k + 1) % n];
             const uint32_t from = polygon.corners[(k + n - 1) % n];
             const uint32_t to = polygon.corners[k];
-            uniteIfSame(from, to);
+            result_.uniteIfSame(from, to);
             if (side.edge) continue;
             // The cap has what the skin has, the other way round.
             if (polygon.cell < side.index) addCapEdge(polygon.cell, side.index, {to, from, 1, t});
@@ -131,10 +122,9 @@ class Cutting {
     /// The parts of a triangle keep its direction; the polygon is convex.
     void addParts(uint32_t t, const TriangleCells::Polygon& polygon) {
         for (const Triangle& part : fan_.run(polygon.corners, vertices_)) {
-            const auto weights = static_cast<uint32_t>(cut_.weights.size());
-            cut_.weights.push_back({vertices_.weights(part[0], t), vertices_.weights(part[1], t),
-                                    vertices_.weights(part[2], t)});
-            addSkin(polygon.cell, {part, t, weights});
+            result_.addPart(polygon.cell, t, part,
+                            {vertices_.weights(part[0], t), vertices_.weights(part[1], t),
+                             vertices_.weights(part[2], t)});
         }
     }
 
@@ -157,26 +147,16 @@ class Cutting {
     /// against it.
     void addStretch(const InnerStretch& s) {
         const auto& [i, j, k] = complex_.edges()[s.edge].cells;
-        uniteIfSame(s.from, s.to);
+        result_.uniteIfSame(s.from, s.to);
         addCapEdge(i, j, {s.from, s.to, s.winding, CapEdge::kNone});
         addCapEdge(j, k, {s.from, s.to, s.winding, CapEdge::kNone});
         addCapEdge(i, k, {s.from, s.to, -s.winding, CapEdge::kNone});
     }
 
-    /// Where a tie was broken, edges may have no length: their ends become one vertex.
-    void uniteIfSame(uint32_t a, uint32_t b) {
-        const glm::dvec3 d = glm::abs(vertices_.gridPosition(a) - vertices_.gridPosition(b));
-        if (d.x > 0x1p-20 || d.y > 0x1p-20 || d.z > 0x1p-20) return;
-        if (merged_.find(a) != merged_.find(b) &&
-            vertices_.exactPlace(a) == vertices_.exactPlace(b)) {
-            merged_.unite(a, b);
-        }
-    }
-
     void buildCaps() {
         std::stable_sort(faceEdges_.begin(), faceEdges_.end(),
                          [](const FaceEdge& a, const FaceEdge& b) { return a.face < b.face; });
-        CapBuilder builder(vertices_, merged_);
+        CapBuilder builder(vertices_, result_.merged());
         std::vector<CapEdge> border;
         size_t n = 0;
         for (uint32_t low = 0; low < input_.functions.count(); ++low) {
@@ -186,51 +166,10 @@ class Cutting {
                 border.clear();
                 for (; n < faceEdges_.size() && faceEdges_[n].face == face; ++n)
                     border.push_back(faceEdges_[n].edge);
-                if (!border.empty()) buildCap(builder, low, high, border);
+                if (!border.empty()) result_.addCap(builder, low, high, border);
             }
         }
-        cut_.report.crossedCaps = builder.report().crossed;
-        cut_.report.fans = builder.report().fans;
-    }
-
-    void buildCap(CapBuilder& builder, uint32_t low, uint32_t high,
-                  std::span<const CapEdge> border) {
-        const auto first = static_cast<uint32_t>(cut_.capTriangles.size());
-        builder.build(low, high, border, cut_.capTriangles);
-        const auto count = static_cast<uint32_t>(cut_.capTriangles.size()) - first;
-        if (count > 0) cut_.caps.push_back({low, high, first, count});
-    }
-
-    void sortSkin() {
-        cut_.skinStart.assign(input_.functions.count() + 1, 0);
-        for (const uint32_t cell : cellOfSkin_) ++cut_.skinStart[cell + 1];
-        for (size_t c = 1; c < cut_.skinStart.size(); ++c)
-            cut_.skinStart[c] += cut_.skinStart[c - 1];
-        std::vector<uint32_t> next(cut_.skinStart.begin(), cut_.skinStart.end() - 1);
-        cut_.skin.resize(skin_.size());
-        for (size_t s = 0; s < skin_.size(); ++s) cut_.skin[next[cellOfSkin_[s]]++] = skin_[s];
-    }
-
-    /// United vertices get one number; triangles that lose their area by it stay, for they are
-    /// somebody's skin, and are dropped when pieces are put together.
-    void replaceUnited() {
-        merged_.grow(vertices_.count());
-        cut_.positions.resize(vertices_.count());
-        for (uint32_t v = 0; v < vertices_.count(); ++v) {
-            cut_.positions[v] = vertices_.position(v);
-            cut_.report.united += merged_.find(v) != v ? 1 : 0;
-        }
-        if (cut_.report.united == 0) return;
-        for (MeshCut::SkinTriangle& t : cut_.skin)
-            for (uint32_t& v : t.v) v = merged_.find(v);
-        for (CapTriangle& t : cut_.capTriangles)
-            for (uint32_t& v : t.v) v = merged_.find(v);
-        UnionFind parts(input_.positions.size());
-        for (const Triangle& t : input_.triangles) {
-            parts.unite(t[0], t[1]);
-            parts.unite(t[0], t[2]);
-        }
-        for (const Triangle& t : input_.triangles) cut_.parts.push_back(parts.find(t[0]));
+        result_.takeReport(builder);
     }
 
     const CutInput& input_;
@@ -238,33 +177,21 @@ class Cutting {
     CutVertices vertices_;
     TriangleCells cells_;
     PolygonFan fan_;
-    UnionFind merged_;
+    CutResult result_;
     std::vector<uint32_t> cellOf_;    ///< per vertex of the mesh
     std::vector<uint8_t> nearPlane_;  ///< likewise
-    std::vector<MeshCut::SkinTriangle> skin_;
-    std::vector<uint32_t> cellOfSkin_;
     std::vector<CoplanarFace> coplanar_;
     std::vector<EdgeCrossing> crossings_;
     std::vector<FaceEdge> faceEdges_;
-    MeshCut cut_;
 };
 
 }  // namespace
 
 Result<MeshCut> cutMesh(std::span<const glm::vec3> positions, std::span<const Triangle> triangles,
                         const CutGrid& grid, CellFunctions cells) {
-    if (triangles.empty()) return fail(ErrorCode::noTriangles, "there is nothing to cut");
-    if (!edgesCancel(triangles)) {
-        return fail(ErrorCode::openMesh, "only closed meshes can be cut: there are open edges");
-    }
-    if (!(signedVolume(positions, triangles, positions[triangles[0][0]]) > 0)) {
-        return fail(ErrorCode::invalidData,
-                    "the mesh encloses no volume, or its triangles face inwards");
-    }
+    if (auto ok = checkCuttable(positions, triangles); !ok) return tl::unexpected(ok.error());
     CutInput input{grid, positions, triangles, {}, cells};
-    input.points.resize(positions.size());  // what no triangle uses stays in the middle
-    for (const Triangle& t : triangles)
-        for (const uint32_t v : t) input.points[v] = grid.snap(positions[v]);
+    input.points = snapped(grid, positions, triangles);
     MovedPlanes planes;
     MeshCut::Report report;
     // Moved planes may come to lie in other faces: a few rounds, then ties have to do.

@@ -2,13 +2,11 @@
 #include "volume/prism_cut.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <optional>
 #include <tuple>
 #include <utility>
 
-#include "geometry/closed_mesh.h"
-#include "geometry/union_find.h"
+#include "volume/cut_result.h"
 #include "volume/face_caps.h"
 #include "volume/polygon_fan.h"
 #include "volume/prism_polygons.h"
@@ -24,7 +22,7 @@ class PrismCutting {
         : input_(input),
           vertices_(input),
           polygons_(input, vertices_),
-          merged_(vertices_.count()),
+          result_(vertices_),
           wallEdges_(input.map.lines()),
           stretches_(input.map.nodes()) {}
 
@@ -34,9 +32,7 @@ class PrismCutting {
             if (!cutTriangle(t)) return contradiction();
         if (!findStretches()) return contradiction();
         buildCaps();
-        sortSkin();
-        replaceUnited();
-        return std::move(cut_);
+        return result_.finish(input_.map.cells(), input_.triangles);
     }
 
   private:
@@ -62,27 +58,22 @@ class PrismCutting {
         const Triangle& v = input_.triangles[t];
         if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) return true;
         if (const std::optional<uint32_t> cell = polygons_.cellOf(t)) {
-            addSkin(*cell, {v, t, MeshCut::kWhole});
+            result_.addSkin(*cell, {v, t, MeshCut::kWhole});
             return true;
         }
         const auto polygons = polygons_.run(t);
-        merged_.grow(vertices_.count());
+        result_.grow();
         for (const PrismPolygons::Polygon& polygon : polygons) addPolygon(t, polygon);
         for (const uint32_t node : polygons_.nodes())
             crossings_.push_back({node, vertices_.atNode(t, node), polygons_.turnOf(t)});
         return !polygons.empty();
     }
 
-    void addSkin(uint32_t cell, const MeshCut::SkinTriangle& triangle) {
-        skin_.push_back(triangle);
-        cellOfSkin_.push_back(cell);
-    }
-
     void addPolygon(uint32_t t, const PrismPolygons::Polygon& polygon) {
         corners_.clear();
         for (const PrismPolygons::Edge& edge : polygon.edges) {
             corners_.push_back(edge.from);
-            uniteIfSame(edge.from, edge.to);
+            result_.uniteIfSame(edge.from, edge.to);
             if (edge.side == PrismPolygons::Edge::kSkin) continue;
             const PrismMap::Side& side = input_.map.sides(polygon.cell)[edge.side];
             // The cap has what the skin has, the other way round.
@@ -90,20 +81,9 @@ class PrismCutting {
                 wallEdges_[side.line].push_back({edge.to, edge.from, 1, t});
         }
         for (const Triangle& part : fan_.run(corners_, vertices_)) {
-            const auto weights = static_cast<uint32_t>(cut_.weights.size());
-            cut_.weights.push_back({vertices_.weights(part[0], t), vertices_.weights(part[1], t),
-                                    vertices_.weights(part[2], t)});
-            addSkin(polygon.cell, {part, t, weights});
-        }
-    }
-
-    /// Where a tie was broken, edges may have no length: their ends become one vertex.
-    void uniteIfSame(uint32_t a, uint32_t b) {
-        const glm::dvec3 d = glm::abs(vertices_.gridPosition(a) - vertices_.gridPosition(b));
-        if (d.x > 0x1p-20 || d.y > 0x1p-20 || d.z > 0x1p-20) return;
-        if (merged_.find(a) != merged_.find(b) &&
-            vertices_.exactPlace(a) == vertices_.exactPlace(b)) {
-            merged_.unite(a, b);
+            result_.addPart(polygon.cell, t, part,
+                            {vertices_.weights(part[0], t), vertices_.weights(part[1], t),
+                             vertices_.weights(part[2], t)});
         }
     }
 
@@ -125,7 +105,7 @@ class PrismCutting {
             if (last && winding != 0) return false;
             if (winding == 0) continue;
             const uint32_t next = crossings_[n + 1].vertex;
-            uniteIfSame(c.vertex, next);
+            result_.uniteIfSame(c.vertex, next);
             stretches_[c.node].push_back({c.vertex, next, winding});
         }
         return true;
@@ -145,7 +125,7 @@ class PrismCutting {
     }
 
     void buildCaps() {
-        CapBuilder builder(vertices_, merged_);
+        CapBuilder builder(vertices_, result_.merged());
         for (const Wall& wall : walls()) {
             std::vector<CapEdge>& border = wallEdges_[wall.side.line];
             // Seen from the higher cell the wall runs to the right: up at its end, down at its
@@ -157,58 +137,20 @@ class PrismCutting {
             if (border.empty()) continue;
             vertices_.setWall(wall.side.line,
                               input_.map.line(wall.side.line).from != wall.side.from);
-            const auto first = static_cast<uint32_t>(cut_.capTriangles.size());
-            builder.build(wall.low, wall.high, border, cut_.capTriangles);
-            const auto count = static_cast<uint32_t>(cut_.capTriangles.size()) - first;
-            if (count > 0) cut_.caps.push_back({wall.low, wall.high, first, count});
+            result_.addCap(builder, wall.low, wall.high, border);
         }
-        cut_.report.crossedCaps = builder.report().crossed;
-        cut_.report.fans = builder.report().fans;
-    }
-
-    void sortSkin() {
-        cut_.skinStart.assign(input_.map.cells() + 1, 0);
-        for (const uint32_t cell : cellOfSkin_) ++cut_.skinStart[cell + 1];
-        for (size_t c = 1; c < cut_.skinStart.size(); ++c)
-            cut_.skinStart[c] += cut_.skinStart[c - 1];
-        std::vector<uint32_t> next(cut_.skinStart.begin(), cut_.skinStart.end() - 1);
-        cut_.skin.resize(skin_.size());
-        for (size_t s = 0; s < skin_.size(); ++s) cut_.skin[next[cellOfSkin_[s]]++] = skin_[s];
-    }
-
-    /// As in `mesh_cut.cpp`.
-    void replaceUnited() {
-        merged_.grow(vertices_.count());
-        cut_.positions.resize(vertices_.count());
-        for (uint32_t v = 0; v < vertices_.count(); ++v) {
-            cut_.positions[v] = vertices_.position(v);
-            cut_.report.united += merged_.find(v) != v ? 1 : 0;
-        }
-        if (cut_.report.united == 0) return;
-        for (MeshCut::SkinTriangle& t : cut_.skin)
-            for (uint32_t& v : t.v) v = merged_.find(v);
-        for (CapTriangle& t : cut_.capTriangles)
-            for (uint32_t& v : t.v) v = merged_.find(v);
-        UnionFind parts(input_.positions.size());
-        for (const Triangle& t : input_.triangles) {
-            parts.unite(t[0], t[1]);
-            parts.unite(t[0], t[2]);
-        }
-        for (const Triangle& t : input_.triangles) cut_.parts.push_back(parts.find(t[0]));
+        result_.takeReport(builder);
     }
 
     const PrismInput& input_;
     PrismVertices vertices_;
     PrismPolygons polygons_;
-    UnionFind merged_;
+    CutResult result_;
     PolygonFan fan_;
     std::vector<uint32_t> corners_;
-    std::vector<MeshCut::SkinTriangle> skin_;
-    std::vector<uint32_t> cellOfSkin_;
     std::vector<std::vector<CapEdge>> wallEdges_;  ///< per line
     std::vector<NodeCrossing> crossings_;
     std::vector<std::vector<Stretch>> stretches_;  ///< per node
-    MeshCut cut_;
 };
 
 }  // namespace
@@ -216,18 +158,9 @@ class PrismCutting {
 Result<MeshCut> cutByPrisms(std::span<const glm::vec3> positions,
                             std::span<const Triangle> triangles, const CutGrid& grid,
                             const PrismMap& map, uint32_t axis) {
-    if (triangles.empty()) return fail(ErrorCode::noTriangles, "there is nothing to cut");
-    if (!edgesCancel(triangles)) {
-        return fail(ErrorCode::openMesh, "only closed meshes can be cut: there are open edges");
-    }
-    if (!(signedVolume(positions, triangles, positions[triangles[0][0]]) > 0)) {
-        return fail(ErrorCode::invalidData,
-                    "the mesh encloses no volume, or its triangles face inwards");
-    }
+    if (auto ok = checkCuttable(positions, triangles); !ok) return tl::unexpected(ok.error());
     PrismInput input{grid, map, axis, positions, triangles};
-    input.points.resize(positions.size());
-    for (const Triangle& t : triangles)
-        for (const uint32_t v : t) input.points[v] = grid.snap(positions[v]);
+    input.points = snapped(grid, positions, triangles);
     return PrismCutting(input).run();
 }
 

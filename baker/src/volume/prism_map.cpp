@@ -18,26 +18,17 @@ int signOf(const Integer& x) {
     return x.sign();
 }
 
-Integer wide(Int128 x) {
-    const bool negative = x < 0;
-    const auto size = static_cast<unsigned __int128>(negative ? -x : x);
-    Integer result = static_cast<uint64_t>(size >> 64);
-    result <<= 64;
-    result += static_cast<uint64_t>(size);
-    return negative ? Integer(-result) : result;
-}
-
 /// Coefficients of the line through two nodes, positive left of a -> b.
 std::array<Integer, 3> through(const PrismMap::Node& a, const PrismMap::Node& b) {
-    const Integer ax = wide(a.x), ay = wide(a.y), aw = wide(a.w);
-    const Integer bx = wide(b.x), by = wide(b.y), bw = wide(b.w);
+    const Integer ax = Integer(a.x), ay = Integer(a.y), aw = Integer(a.w);
+    const Integer bx = Integer(b.x), by = Integer(b.y), bw = Integer(b.w);
     return {ay * bw - aw * by, aw * bx - ax * bw, ax * by - ay * bx};
 }
 
 /// The same through the grid points that an edge of the drawing lies on: smaller numbers.
 std::array<Integer, 3> through(const PlanePoint& a, const PlanePoint& b) {
     const int64_t x = a.y - b.y, y = b.x - a.x;
-    return {Integer(x), Integer(y), wide(-(Int128{x} * a.x + Int128{y} * a.y))};
+    return {Integer(x), Integer(y), Integer(-(Int128{x} * a.x + Int128{y} * a.y))};
 }
 
 PlanePoint planePoint(const GridPoint& p) {
@@ -80,7 +71,7 @@ int turnOf(const PrismMap::Node& a, const PrismMap::Node& b, const PrismMap::Nod
     if (left - right > bound) return 1;
     if (left - right < -bound) return -1;
     const std::array<Integer, 3> line = through(a, b);
-    return signOf(line[0] * wide(c.x) + line[1] * wide(c.y) + line[2] * wide(c.w));
+    return signOf(line[0] * Integer(c.x) + line[1] * Integer(c.y) + line[2] * Integer(c.w));
 }
 
 }  // namespace

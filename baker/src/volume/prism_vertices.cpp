@@ -9,15 +9,6 @@ namespace {
 
 using Integer = ExactPlace::Integer;
 
-Integer wide(Int128 x) {
-    const bool negative = x < 0;
-    const auto size = static_cast<unsigned __int128>(negative ? -x : x);
-    Integer result = static_cast<uint64_t>(size >> 64);
-    result <<= 64;
-    result += static_cast<uint64_t>(size);
-    return negative ? Integer(-result) : result;
-}
-
 glm::dvec3 asDouble(const CutGridPoint& p) {
     return {p.x, p.y, p.z};
 }
@@ -163,7 +154,7 @@ ExactPlace PrismVertices::exactPlace(uint32_t vertex) const {
     if (made.kind == Kind::node) {
         const std::array<Int128, 3> w = cornerWeights(made.of[0], made.of[1]);
         const auto& t = input_.triangles[made.of[0]];
-        return weighted({{t[0], wide(w[0])}, {t[1], wide(w[1])}, {t[2], wide(w[2])}});
+        return weighted({{t[0], Integer(w[0])}, {t[1], Integer(w[1])}, {t[2], Integer(w[2])}});
     }
     return meet(trianglePlane(made.of[0]), trianglePlane(made.of[1]), wallPlane(made.of[2]));
 }

@@ -47,7 +47,7 @@ class PrismVertices final : public CapSpace {
 
     /// -1, 0, 1: the order along the axis of two vertices over the same node.
     int compareDepth(uint32_t a, uint32_t b) const;
-    const glm::vec3& position(uint32_t vertex) const { return world_[vertex]; }
+    const glm::vec3& position(uint32_t vertex) const override { return world_[vertex]; }
     /// Of the corners of a triangle that the vertex lies on.
     glm::dvec3 weights(uint32_t vertex, uint32_t triangle) const;
 

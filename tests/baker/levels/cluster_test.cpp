@@ -17,6 +17,7 @@
 #include "support/models.h"
 #include "support/property.h"
 #include "support/random_solids.h"
+#include "support/solid_meshes.h"
 #include "support/surface_meshes.h"
 
 using namespace sherd;
@@ -61,26 +62,6 @@ bool holdsTogether(const FractureSet& set, uint32_t fragment) {
         }
     }
     return met.size() == own.size();
-}
-
-double volumeAt(const FractureSet& set, uint32_t level) {
-    double sum = 0;
-    for (const uint32_t f : fragmentsAtLevel(set, level)) sum += set.fragments[f].volume;
-    return sum;
-}
-
-SurfaceMesh meshOf(const Solid& solid) {
-    SurfaceMesh mesh;
-    mesh.name = "random";
-    mesh.positions = solid.positions;
-    mesh.triangles = mesh.corners = solid.triangles;
-    mesh.materials = {-1};
-    mesh.triangleMaterials.assign(mesh.triangles.size(), 0);
-    std::vector<float> normals;
-    for (size_t v = 0; v < mesh.positions.size(); ++v)
-        normals.insert(normals.end(), {0.0F, 0.0F, 1.0F});
-    mesh.attributes = {{"NORMAL", 3, normals}};
-    return mesh;
 }
 
 bool hasFinding(const BakedObjectReport& report, const std::string& code) {

@@ -15,6 +15,7 @@
 #include "support/baked_set.h"
 #include "support/models.h"
 #include "support/random_solids.h"
+#include "support/solid_meshes.h"
 #include "support/surface_meshes.h"
 
 using namespace sherd;
@@ -36,20 +37,6 @@ FracturePlan planOf(std::vector<VolumeCut> cuts) {
     std::vector<FracturePlan> levels;
     for (VolumeCut& cut : cuts) levels.emplace_back().cuts.push_back(std::move(cut));
     return stackLevels(std::move(levels));
-}
-
-SurfaceMesh meshOf(const Solid& solid) {
-    SurfaceMesh mesh;
-    mesh.name = "boxes";
-    mesh.positions = solid.positions;
-    mesh.triangles = mesh.corners = solid.triangles;
-    mesh.materials = {-1};
-    mesh.triangleMaterials.assign(mesh.triangles.size(), 0);
-    std::vector<float> normals;
-    for (size_t v = 0; v < mesh.positions.size(); ++v)
-        normals.insert(normals.end(), {0.0F, 0.0F, 1.0F});
-    mesh.attributes = {{"NORMAL", 3, normals}};
-    return mesh;
 }
 
 Line box(const glm::dvec2& low, const glm::dvec2& high) {
