@@ -8,10 +8,12 @@
 #include "exit_codes.h"
 #include "export_command.h"
 #include "layout_command.h"
+#include "process_heap.h"
 #include "recipe_command.h"
 
 int main(int argc, char** argv) {
     using namespace sherd::cli;
+    keepFreedMemory();
     CLI::App app(
         "Sherd: artist-driven destruction. Bakes fracture lines drawn on a model into a glTF "
         "file.");

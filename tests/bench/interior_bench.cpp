@@ -17,6 +17,7 @@
 #include "baker/interior/shapes.h"
 #include "interior/medial.h"
 #include "interior/pole_medial.h"
+#include "process_heap.h"
 #include "sherd/baker/import.h"
 #include "support/models.h"
 
@@ -67,6 +68,7 @@ void row(const std::string& name, const SurfaceMesh& mesh, int runs, bool withPo
 }  // namespace
 
 int main(int argc, char** argv) {
+    sherd::cli::keepFreedMemory();  // as sherd-bake does
     const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
     std::printf("%-24s%10s%12s%12s%12s%14s%12s\n", "mesh", "vertices", "1 thread", "2 threads",
                 "cpu", "us/vertex", "poles");

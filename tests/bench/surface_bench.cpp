@@ -19,6 +19,7 @@
 #include <string>
 
 #include "map/planar_map.h"
+#include "process_heap.h"
 #include "sherd/baker/import.h"
 #include "support/models.h"
 #include "support/plans.h"
@@ -161,6 +162,7 @@ FractureMap gridLines(uint32_t count) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    sherd::cli::keepFreedMemory();  // as sherd-bake does
     const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 10;
     const bool real = haveSharedModels();
     mallopt(M_MMAP_THRESHOLD, 1 << 30);

@@ -21,6 +21,7 @@
 #include <string>
 
 #include "geometry/closed_mesh.h"
+#include "process_heap.h"
 #include "sherd/baker/import.h"
 #include "support/models.h"
 #include "support/random_solids.h"
@@ -167,6 +168,7 @@ void writeJson(const std::filesystem::path& folder, const Input& input,
 }  // namespace
 
 int main(int argc, char** argv) {
+    sherd::cli::keepFreedMemory();  // as sherd-bake does
     int runs = 5;
     std::filesystem::path folder;
     for (int a = 1; a < argc; ++a) {

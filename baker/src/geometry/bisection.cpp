@@ -177,10 +177,12 @@ class Bisector {
 }  // namespace
 
 BisectedTriangles::BisectedTriangles(std::span<const std::array<uint32_t, 3>> parents,
-                                     std::span<const uint32_t> opposites)
-    : opposite(opposites.begin(), opposites.end()) {
-    triangles.reserve(parents.size());
-    nodes.reserve(parents.size());
+                                     std::span<const uint32_t> opposites) {
+    const size_t room = parents.size() + parents.size() / 2;  // for what refines them
+    triangles.reserve(room);
+    nodes.reserve(room);
+    opposite.reserve(3 * room);
+    opposite.assign(opposites.begin(), opposites.end());
     for (uint32_t t = 0; t < parents.size(); ++t) {
         triangles.push_back({parents[t], t, {3 * t, 3 * t + 1, 3 * t + 2}, t});
         nodes.push_back({parents[t]});

@@ -87,10 +87,13 @@ MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
     const std::vector<glm::dvec3> normals =
         vertexNormals(surface.facets, corners_, feet.size(), options.threads);
     facets_ = std::move(surface.facets);
+    const size_t room = feet.size() + feet.size() / 2;  // refinement adds some
+    feet_.reserve(room);
+    origins_.reserve(room);
+    tangents_.reserve(room);
     feet_.assign(feet.begin(), feet.end());
     smoothed_.assign(surface.points.begin(), surface.points.end());
     origins_.resize(feet.size());
-    tangents_.reserve(feet.size());
     for (uint32_t v = 0; v < feet.size(); ++v) {
         origins_[v].vertices = {v, v, v};
         tangents_.push_back({smoothed_[v], glm::vec3(normals[v])});
@@ -99,6 +102,7 @@ MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
     tree_ = BallTree(smoothed_, mesh.triangles, topology.opposite, angle, options.threads);
     balls_ = vertexBalls(tree_, mesh.triangles, tangents_, around,
                          static_cast<float>(frame_.diagonal / 2), options.threads);
+    balls_.reserve(room);
 }
 
 std::array<uint32_t, 2> MedialMesh::endsOf(uint32_t halfEdge) const {
