@@ -11,6 +11,7 @@
 #include <unordered_set>
 
 #include "geometry/triangle.h"
+#include "geometry/weld.h"
 
 namespace sherd {
 namespace {
@@ -28,14 +29,18 @@ Chain reversed(Chain chain) {
 }
 
 /// Every decision below depends on ids and lengths alone, not on which way round a face is seen.
+/// What becomes of an edge depends on the places of its ends: where an object touches itself or is
+/// made of several solids, one side of a piece's edge may have other vertices there than the other.
 class FaceRefiner {
   public:
     FaceRefiner(const SplitSurface& surface, double longest, size_t mostFaces, HiddenMesh& mesh)
         : longest_(longest), mostFaces_(mostFaces), mesh_(mesh) {
+        std::vector<glm::vec3> places;
+        placeOf_ = PositionWelder(places).add(mesh.positions);
         // Vertices on the skin have the same ids as in the split surface.
         for (const SplitTriangle& triangle : surface.triangles)
             for (size_t k = 0; k < 3; ++k)
-                skin_.insert(keyOf(triangle.v[k], triangle.v[(k + 1) % 3]));
+                skin_.insert(keyOf(placeOf(triangle.v[k]), placeOf(triangle.v[(k + 1) % 3])));
     }
 
     double run() {
@@ -57,10 +62,13 @@ class FaceRefiner {
         return glm::distance(glm::dvec3(mesh_.positions[a]), glm::dvec3(mesh_.positions[b]));
     }
 
+    /// Equal for all vertices in one place; those made here are alone in theirs.
+    uint32_t placeOf(uint32_t v) const { return v < placeOf_.size() ? placeOf_[v] : v; }
+
     /// In how many parts an edge is to be.
     double partsOf(uint32_t a, uint32_t b) const {
         const double parts = std::ceil(lengthOf(a, b) / longest_);
-        return parts > 1 && !skin_.contains(keyOf(a, b)) ? parts : 1;
+        return parts > 1 && !skin_.contains(keyOf(placeOf(a), placeOf(b))) ? parts : 1;
     }
 
     /// How many faces there will be, about.
@@ -87,16 +95,18 @@ class FaceRefiner {
         if (parts == 1) return {a, b};
         const auto [it, isNew] = chains_.try_emplace(keyOf(a, b));
         if (isNew) {
-            const glm::dvec3 low = mesh_.positions[std::min(a, b)];
-            const glm::dvec3 high = mesh_.positions[std::max(a, b)];
-            it->second.push_back(std::min(a, b));
+            Chain& chain = it->second;
+            const bool upwards = placeOf(a) < placeOf(b);
+            const uint32_t first = upwards ? a : b, last = upwards ? b : a;
+            const glm::dvec3 low = mesh_.positions[first], high = mesh_.positions[last];
+            chain.push_back(first);
             for (uint32_t i = 1; i < static_cast<uint32_t>(parts); ++i) {
-                it->second.push_back(static_cast<uint32_t>(mesh_.positions.size()));
+                chain.push_back(static_cast<uint32_t>(mesh_.positions.size()));
                 mesh_.positions.emplace_back(low + (high - low) * (i / parts));
             }
-            it->second.push_back(std::max(a, b));
+            chain.push_back(last);
         }
-        return a < b ? it->second : reversed(it->second);
+        return it->second.front() == a ? it->second : reversed(it->second);
     }
 
     static bool isDivided(const Chain& chain) { return chain.size() > 2; }
@@ -218,8 +228,9 @@ class FaceRefiner {
     size_t mostFaces_;
     HiddenMesh& mesh_;
     const HiddenMesh::Face* face_ = nullptr;  ///< that is being cut
+    std::vector<uint32_t> placeOf_;           ///< per vertex that was there before
     std::unordered_set<uint64_t> skin_;  ///< looked up only, like chains_: order does not matter
-    std::unordered_map<uint64_t, Chain> chains_;  ///< of divided edges, from the lower id on
+    std::unordered_map<uint64_t, Chain> chains_;  ///< of divided edges, from the lower place on
 };
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "appearance/rough_field.h"
 #include "geometry/inside_test.h"
 #include "geometry/triangle_bvh.h"
+#include "geometry/weld.h"
 
 namespace sherd {
 namespace {
@@ -39,6 +40,7 @@ class Roughener {
 
     RoughShape run(const Roughness& settings) {
         refine(settings.size);
+        findSkin();
         const RoughField field(settings.size, settings.seed);
         move(field, gentleAmplitude(settings, field));
         return std::move(shape_);
@@ -100,14 +102,24 @@ class Roughener {
         shape_.normalMaps.assign(mesh_.positions.size(), glm::dmat3(1.0));
         if (amplitude == 0) return;
         const double fadesWithin = kFadesWithin * amplitude;
-        std::vector<uint8_t> moved(mesh_.positions.size(), 0);
+        std::vector<uint8_t> moved = onSkin_;
         for (const HiddenMesh::Face& face : mesh_.faces) {
             for (const uint32_t v : face.v) {
-                if (v < mesh_.skinVertices || moved[v] != 0) continue;
+                if (moved[v] != 0) continue;
                 moved[v] = 1;
                 displace(v, field, amplitude, fadesWithin);
             }
         }
+    }
+
+    /// Vertices of the skin, and hidden ones in the same places: where solids cross each other a
+    /// piece may have both, and rounded to floats they lie a hair's breadth beside the skin.
+    void findSkin() {
+        std::vector<glm::vec3> places;
+        const std::vector<uint32_t> placeOf = PositionWelder(places).add(mesh_.positions);
+        std::vector<uint8_t> isSkin(places.size(), 0);
+        for (uint32_t v = 0; v < mesh_.skinVertices; ++v) isSkin[placeOf[v]] = 1;
+        for (const uint32_t place : placeOf) onSkin_.push_back(isSkin[place]);
     }
 
     void displace(uint32_t v, const RoughField& field, double amplitude, double fadesWithin) {
@@ -150,6 +162,7 @@ class Roughener {
     HiddenMesh& mesh_;
     TriangleBvh skin_;
     InsideTest inside_;
+    std::vector<uint8_t> onSkin_;  ///< per vertex
     RoughShape shape_;
 };
 

@@ -13,6 +13,8 @@
 #include "support/models.h"
 #include "support/pattern_plans.h"
 #include "support/property.h"
+#include "support/random_solids.h"
+#include "support/solid_meshes.h"
 #include "support/surface_meshes.h"
 
 using namespace sherd;
@@ -350,4 +352,22 @@ TEST_CASE("the skull gets rough inside") {
     const FractureSet set = writtenSet(*model, patterns({"voronoi:13:1"}), rough(0.1, 0));
     CHECK(wallsWithoutTwin(set) == 0);
     CHECK(texelDensity(set, 1e-10).byArea < 2);
+}
+
+// One side of a piece's edge may have other vertices than the other where solids cross or touch:
+// edges divided by their vertices were divided on one side only, and the skin stayed where walls
+// moved by the rounding of what lay in the same place.
+TEST_CASE("rough pieces of solids that touch and cross each other are closed") {
+    for (const uint32_t seed : propertySeeds(1, 40)) {
+        CAPTURE(seed);
+        Random random(seed);
+        const SurfaceMesh mesh = meshOf(randomSolid(random));
+        FracturePlan plan;
+        plan.cuts.push_back(parseVolumeCut("voronoi:8").value());
+        plan.cuts.push_back(parseVolumeCut("voronoi:3").value());
+        const Result<BakedObject> baked =
+            bakeObject(mesh, plan, rough(random.in(0, 0.1), 0.4), InteriorMaterials(0));
+        CAPTURE(baked ? std::string() : baked.error().message);
+        CHECK(baked.has_value());
+    }
 }
