@@ -22,13 +22,17 @@ namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFFU;
 constexpr size_t kRuns = 32;
-/// Corners nearer than this to the hull of others are left out at once: share of the size.
+/// Corners nearer than this to the hull of others are left out at once: share of the diagonal. Not
+/// of a thin piece that would then lack more of its volume than kSkinVolume.
 constexpr double kSkin = 2e-3;
+constexpr double kSkinVolume = 2e-3;
 /// Overlaps below this share of the diagonal are let be: a tenth of what is accepted.
 constexpr double kTouch = 1e-6;
 /// What a collider's corners must reach before their number is looked at: share of the volume of
-/// the part, which the margin's roundness lessens yet, and distance to the surface.
+/// the part, and distance to the surface. The margin's roundness may take as much of it again, so
+/// that nine tenths of a convex piece are held and its surface is bare nowhere by more than 3 %.
 constexpr double kFilled = 0.93;
+constexpr double kRounded = 0.97;   ///< share of the corners' hull that margins leave
 constexpr double kReach = 0.015;    ///< of the size
 constexpr double kReachMin = 1e-3;  ///< metres
 constexpr uint32_t kMostVertices = 128;
@@ -39,18 +43,20 @@ constexpr double kFlat = 1e-3;
 /// Along a fragment's longest side.
 constexpr uint32_t kSampleCells = 12;
 
-/// The object's frame: its middle in the origin, about 1 in size, scaled by a power of two.
+/// The middle of some points in the origin, about 1 in size, scaled by a power of two. The object's
+/// is that of all work on colliders.
 struct Frame {
     glm::dvec3 middle{0.0};
-    double scale = 1;  ///< metres to the frame's unit
+    double scale = 1;  ///< to the frame's unit
     double diagonal = 0;
-    glm::dvec3 in(const glm::vec3& p) const { return (glm::dvec3(p) - middle) * scale; }
+    glm::dvec3 in(const glm::dvec3& p) const { return (p - middle) * scale; }
     glm::dvec3 out(const glm::dvec3& p) const { return middle + p / scale; }
 };
 
-Frame frameOf(const std::vector<glm::vec3>& positions) {
+template <class Point>
+Frame frameOf(const std::vector<Point>& points) {
     Bounds box;
-    for (const glm::vec3& p : positions) box.add(p);
+    for (const Point& p : points) box.add(p);
     Frame frame;
     if (!(box.diagonal() > 0)) return frame;
     frame.middle = box.middle();
@@ -101,30 +107,36 @@ class ColliderAssembler {
         return {std::move(points), std::move(triangles)};
     }
 
-    /// The hull of few of its corners.
+    /// The hull of few of its corners, chosen at the size of 1: what is a crumb of the object has
+    /// corners, too.
     ColliderPart reduced(uint32_t fragment, const Polytope& hull, double reach) const {
         const std::vector<uint8_t> all(hull.points.size(), 1);
+        const Frame own = frameOf(hull.points);
+        std::vector<glm::dvec3> points;
+        for (const glm::dvec3& p : hull.points) points.push_back(own.in(p));
         SelectionGoal goal;
         goal.count = settings_.hullVertices;
         goal.most = std::max(settings_.hullVertices, kMostVertices);
-        goal.volume = kFilled * volumeOf(hull);
-        goal.reach = reach;
+        goal.volume = kFilled * volumeOf(hull) * own.scale * own.scale * own.scale;
+        goal.reach = reach * own.scale;
         goal.counts = all;
         std::vector<glm::dvec3> chosen;
-        for (const uint32_t i : selectHullVertices(hull.points, spanOf(hull.points), goal))
+        for (const uint32_t i : selectHullVertices(points, spanOf(points), goal))
             chosen.push_back(hull.points[i]);
         return {fragment, hullOf(chosen), {}, static_cast<uint32_t>(chosen.size()), reach};
     }
 
     std::vector<ColliderPart> partsOf(uint32_t fragment, std::vector<uint32_t>& numbers) const {
         const SolidChain solid = solidOf(fragment, numbers);
-        const Polytope hull = hullOf(solid.skinPoints(), kSkin);
+        Polytope hull = hullOf(solid.skinPoints(), kSkin);
+        if (volumeOf(hull) < (1 - kSkinVolume) * solid.volume()) hull = hullOf(solid.skinPoints());
         if (hull.empty()) return {};
         Bounds box;
         for (const glm::dvec3& p : hull.points) box.add(p);
         const glm::dvec3 size = box.size();
         const double reach =
-            std::max(kReachMin * frame_.scale, kReach * std::max({size.x, size.y, size.z}));
+            std::max(kReachMin * frame_.scale, kReach * std::max({size.x, size.y, size.z})) -
+            0.5 * kSkin * box.diagonal();
         PartSettings settings;
         settings.most = settings_.convexParts;
         if (settings.most == 1 || solid.volume() > settings.full * volumeOf(hull))
@@ -294,9 +306,9 @@ class ColliderAssembler {
     ColliderHull finished(const ColliderPart& part) const {
         std::vector<glm::dvec3> points;
         for (const glm::dvec3& p : part.body.points) points.push_back(frame_.out(p));
-        return colliderHull(points,
-                            {std::max(part.vertices, settings_.hullVertices),
-                             static_cast<float>(settings_.hullMargin), part.reach / frame_.scale});
+        return colliderHull(points, {std::max(part.vertices, settings_.hullVertices),
+                                     static_cast<float>(settings_.hullMargin),
+                                     part.reach / frame_.scale, kRounded});
     }
 
     /// What has no volume to be cut into parts.

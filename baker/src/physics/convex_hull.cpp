@@ -120,25 +120,40 @@ namespace {
 struct Shrunk {
     std::vector<glm::dvec3> points;
     double margin = 0;
-    double loss = 0;
+    double depth = 0;   ///< at a corner
+    double volume = 0;  ///< of the hull, as a share of its own
 };
 
-Shrunk shrunkBy(double margin, const std::vector<glm::dvec3>& corners,
-                const std::vector<HalfSpace>& halfSpaces) {
-    Shrunk out{shrinkHull(corners, halfSpaces, margin), margin, 0};
-    for (size_t i = 0; i < corners.size(); ++i)
-        out.loss = std::max(out.loss, glm::distance(corners[i], out.points[i]) - margin);
+/// How much may be left out.
+struct Loss {
+    double depth, volume;
+};
+
+Shrunk shrunkBy(double margin, const Polytope& hull, const std::vector<HalfSpace>& halfSpaces) {
+    Shrunk out{shrinkHull(hull.points, halfSpaces, margin), margin, 0, 0};
+    for (size_t i = 0; i < hull.points.size(); ++i)
+        out.depth = std::max(out.depth, glm::distance(hull.points[i], out.points[i]) - margin);
+    const double whole = volumeOf(hull);
+    if (margin > 0) out.volume = 1 - roundedVolume(hullOf(out.points), margin) / whole;
     return out;
 }
 
-/// A smaller margin until no corner is rounded off by more than `reach`: what a margin costs is
-/// all but proportional to it.
-Shrunk shrunkWithin(double reach, double margin, const std::vector<glm::dvec3>& corners,
+/// A smaller margin until it rounds off no more than it may. What that costs at a corner is
+/// proportional to the margin, at an edge to its square: the step is that of corners where they are
+/// too much, that of edges where the volume is.
+Shrunk shrunkWithin(const Loss& loss, double margin, const Polytope& hull,
                     const std::vector<HalfSpace>& halfSpaces) {
-    Shrunk out = shrunkBy(margin, corners, halfSpaces);
-    for (int step = 0; step < 4 && out.loss > reach; ++step)
-        out = shrunkBy(out.margin * 0.95 * reach / out.loss, corners, halfSpaces);
-    return out.loss > reach ? shrunkBy(0, corners, halfSpaces) : out;
+    const auto step = [&](const Shrunk& s) {
+        double share = 1;
+        if (s.depth > loss.depth) share = 0.95 * loss.depth / s.depth;
+        if (s.volume > loss.volume)
+            share = std::min(share, 0.95 * std::sqrt(loss.volume / s.volume));
+        return share;
+    };
+    Shrunk out = shrunkBy(margin, hull, halfSpaces);
+    for (int k = 0; k < 6 && step(out) < 1; ++k)
+        out = shrunkBy(out.margin * step(out), hull, halfSpaces);
+    return step(out) < 1 ? shrunkBy(0, hull, halfSpaces) : out;
 }
 
 }  // namespace
@@ -156,10 +171,12 @@ ColliderHull colliderHull(std::span<const glm::dvec3> points, const HullOptions&
 
     const uint32_t count = std::clamp<uint32_t>(options.maxVertices, 8, 255);
     const std::vector<glm::dvec3> chosen = selectPoints(unit, count);
-    const std::vector<HalfSpace> halfSpaces = halfSpacesOf(hullOf(chosen));
+    const Polytope hull = hullOf(chosen);
+    const std::vector<HalfSpace> halfSpaces = halfSpacesOf(hull);
     const double margin = std::min(setting / frame.size, 0.1 * thinnestExtent(chosen, halfSpaces));
 
-    const Shrunk shrunk = shrunkWithin(options.reach / frame.size, margin, chosen, halfSpaces);
+    const Shrunk shrunk =
+        shrunkWithin({options.reach / frame.size, 1 - options.volume}, margin, hull, halfSpaces);
     ColliderHull out = placed(shrunk.points, frame);
     out.margin = static_cast<float>(shrunk.margin * frame.size);
     if (spansVolume(out, frame)) return out;

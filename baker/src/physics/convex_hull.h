@@ -16,6 +16,7 @@ struct HullOptions {
     double reach = std::numeric_limits<double>::infinity();  ///< metres that the margin may round
                                                              ///< corners off: it is less where
                                                              ///< they are sharp
+    double volume = 0;  ///< share of the hull's that the margin's roundness leaves at least
 };
 
 /// A convex collider, its points shrunk inwards by its collision margin.

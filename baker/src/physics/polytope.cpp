@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <unordered_map>
 
 namespace sherd {
 namespace {
@@ -32,6 +33,35 @@ double volumeOf(const Polytope& polytope) {
         sum += glm::dot(polytope.points[f[0]] - apex,
                         glm::cross(polytope.points[f[1]] - apex, polytope.points[f[2]] - apex));
     return sum / 6;
+}
+
+/// Faces carry slabs, edges wedges of cylinders, and the corners together a ball (J. Steiner,
+/// 1840).
+double roundedVolume(const Polytope& polytope, double margin) {
+    const auto sides = [&](const std::array<uint32_t, 3>& f) {
+        const glm::dvec3& a = polytope.points[f[0]];
+        return glm::cross(polytope.points[f[1]] - a, polytope.points[f[2]] - a);
+    };
+    double twiceArea = 0;
+    std::unordered_map<uint64_t, glm::dvec3> normalAt;  // of the face at each directed edge
+    for (const auto& f : polytope.faces) {
+        const glm::dvec3 n = sides(f);
+        twiceArea += glm::length(n);
+        for (size_t k = 0; k < 3; ++k) normalAt[uint64_t{f[k]} << 32 | f[(k + 1) % 3]] = n;
+    }
+    double bend = 0;  // lengths of edges times the angles between the normals beside them, twice
+    for (const auto& f : polytope.faces) {
+        const glm::dvec3 n = sides(f);
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t a = f[k], b = f[(k + 1) % 3];
+            const glm::dvec3& beside = normalAt[uint64_t{b} << 32 | a];
+            const double angle =
+                std::atan2(glm::length(glm::cross(n, beside)), glm::dot(n, beside));
+            bend += glm::distance(polytope.points[a], polytope.points[b]) * angle;
+        }
+    }
+    return volumeOf(polytope) +
+           margin * (twiceArea / 2 + margin * (bend / 4 + margin * 4 / 3 * M_PI));
 }
 
 double volumeBeyond(const Polytope& polytope, const HalfSpace& wall) {

@@ -35,6 +35,9 @@ Polytope hullOf(std::span<const glm::dvec3> points, double skin = kRoundingSkin)
 
 double volumeOf(const Polytope& polytope);
 
+/// Of all that is within `margin` of it.
+double roundedVolume(const Polytope& polytope, double margin);
+
 /// Of the part where the half-space does not hold.
 double volumeBeyond(const Polytope& polytope, const HalfSpace& wall);
 

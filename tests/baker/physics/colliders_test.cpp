@@ -124,6 +124,29 @@ TEST_CASE("a convex piece keeps one part, a sphere too, and as many corners as i
     CHECK(report.findings.empty());
 }
 
+// Corners used to be chosen at the object's size, where what a crumb's would add was below what
+// counts: it got a tetrahedron.
+TEST_CASE("a crumb of a large object has a collider as good as that of the rest") {
+    const FractureSet set = collided({meshOf(test::box({0, 0, 0}, {10, 10, 10})),
+                                      meshOf(test::box({10, 0, 0}, {10.004F, 0.002F, 0.002F}))},
+                                     settingsWith(8, 0.01));
+    CHECK(set.hulls[set.fragments[2].hulls.first].points.count == 8);
+    CHECK(measured(set).fragments[2].collider->coverage > 0.95);
+}
+
+// A margin of a tenth of the extent rounds a tetrahedron off to 86 %; of pieces of some millimetres
+// no corner loses the millimetre that was the only bound.
+TEST_CASE("the margin of a small piece with sharp corners leaves nine tenths of it") {
+    PieceMesh piece{{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}},
+                    {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+    for (glm::vec3& p : piece.positions) p *= 2e-3F;
+    const FractureSet set = collided({piece}, settingsWith(8, 0.01));
+    const BakedCollider collider = *measured(set).fragments[1].collider;
+    CHECK(collider.convex);
+    CHECK(collider.coverage > 0.9);
+    CHECK(set.hulls[set.fragments[1].hulls.first].margin > 5e-5F);
+}
+
 TEST_CASE("an L is two parts, a U three, and they hold all of it and no air") {
     for (const auto& [piece, parts] : {std::pair(kL, 2U), std::pair(kU, 3U)}) {
         const FractureSet set = collided({piece}, settingsWith(8));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 
 #include "geometry/predicates.h"
 #include "physics/collider_separation.h"
@@ -111,6 +112,19 @@ TEST_CASE("a hull is closed, convex to the bit, and holds all points but for its
             CHECK(mostAbove(hull, points) < 2 * 4 * skin);
         }
     }
+}
+
+TEST_CASE("a rounded box is the box, slabs on its faces, quarters of rods and a ball") {
+    const double a = 2, b = 3, c = 5, r = 0.25;
+    std::vector<glm::dvec3> corners;
+    corners.reserve(8);
+    for (int k = 0; k < 8; ++k) corners.emplace_back((k & 1) * a, (k >> 1 & 1) * b, (k >> 2) * c);
+    const Polytope box = hullOf(corners);
+    const double pi = std::numbers::pi;
+    CHECK(roundedVolume(box, 0) == doctest::Approx(a * b * c));
+    CHECK(roundedVolume(box, r) ==
+          doctest::Approx(a * b * c + 2 * (a * b + b * c + c * a) * r + pi * (a + b + c) * r * r +
+                          4 * pi / 3 * r * r * r));
 }
 
 TEST_CASE("what a wall cuts off and what it leaves make up the whole") {
