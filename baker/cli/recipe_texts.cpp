@@ -115,7 +115,31 @@ const char* const kRecipeSchema = R"({
         "properties": {
           "map": {"description": "SVG, JSON, PNG or JPEG, relative to the recipe", "type": "string", "minLength": 1},
           "pattern": {"description": "lines by a pattern, like voronoi:12 or grid:4x3:brick", "type": "string", "pattern": "^(voronoi|grid|radial|wood):"},
-          "cut": {"description": "through the volume, like voronoi:12, grid:30, slices:2x3x2, wood:8, points:X,Y,Z;X,Y,Z, bricks:6x8x1, glass:11x4 or map:cracks.svg:axis=z; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^(voronoi|grid|slices|wood|points|bricks|glass|map):"},
+          "cut": {
+            "description": "through the volume",
+            "anyOf": [
+              {"description": "like voronoi:12, grid:30, slices:2x3x2, wood:8, points:X,Y,Z;X,Y,Z, bricks:6x8x1, glass:11x4 or map:cracks.svg:axis=z; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^(voronoi|grid|slices|wood|points|bricks|glass|map):"},
+              {
+                "description": "straight through along a drawing",
+                "type": "object", "additionalProperties": false, "required": ["map"],
+                "properties": {
+                  "map": {"description": "SVG, JSON, PNG or JPEG, relative to the recipe", "type": "string", "minLength": 1},
+                  "axis": {"description": "of the object, looked along; left out: onto its largest side", "enum": ["x", "y", "z", "-x", "-y", "-z"]},
+                  "larger": {"description": "only pieces of at least this share of the object's volume", "type": "number", "minimum": 0, "maximum": 1},
+                  "smaller": {"description": "at most this share", "type": "number", "minimum": 0, "maximum": 1},
+                  "near": {
+                    "description": "only pieces near this point, or one of these, metres in the scene",
+                    "anyOf": [
+                      {"type": "array", "minItems": 3, "maxItems": 3, "items": {"type": "number", "minimum": -1e9, "maximum": 1e9}},
+                      {"type": "array", "minItems": 1, "items": {"type": "array", "minItems": 3, "maxItems": 3, "items": {"type": "number", "minimum": -1e9, "maximum": 1e9}}}
+                    ]
+                  },
+                  "within": {"description": "metres from there; 0: it is inside", "type": "number", "minimum": 0, "maximum": 1e9},
+                  "name": {"description": "only pieces with this name, or part of one with it", "type": "string", "minLength": 1}
+                }
+              }
+            ]
+          },
           "cluster": {"description": "so many groups of the next finer level's pieces, in each piece of the level before: 8 or 12:evenness=0.8; larger=, smaller=, near=, within= and name= choose pieces", "type": "string", "pattern": "^[0-9]+(:.+)?$"},
           "projection": {"description": "how a drawing lies on the object", "type": "string", "pattern": "^(uv|box|planar(:.+)?|cylindrical(:.+)?)$"},
           "strength": {"description": "Pa, of bonds between pieces that part at this level; lines and labels of drawings win", "type": "number", "minimum": 0, "maximum": 1e15},

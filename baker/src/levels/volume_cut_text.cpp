@@ -202,6 +202,7 @@ class CutReader {
         const std::string_view axis = value.substr(value.starts_with('-') ? 1 : 0);
         if (axis.size() != 1 || axis[0] < 'x' || axis[0] > 'z')
             return stop("axis=" + std::string(value) + " is not x, y, z, -x, -y or -z");
+        cut_.along = glm::dvec3(0);  // of several the last counts, as with all keys
         cut_.along[axis[0] - 'x'] = axis.size() < value.size() ? -1 : 1;
         return true;
     }

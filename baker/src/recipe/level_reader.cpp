@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "recipe/cut_reader.h"
+
 namespace sherd {
 
 bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::string& pointer,
@@ -11,19 +13,21 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
         return reader.wrong(pointer, "must be a list with at least one level");
     for (size_t i = 0; i < json.size(); ++i) {
         RecipeLevel level;
-        std::string map, pattern, cut, cluster, projection;
+        std::string map, pattern, cluster, projection;
         const std::string here = pointer + "/" + std::to_string(i);
-        if (!reader.object(json[i], here,
-                           {{"map", reader.string(map)},
-                            {"pattern", reader.string(pattern)},
-                            {"cut", reader.string(cut)},
-                            {"cluster", reader.string(cluster)},
-                            {"projection", reader.string(projection)},
-                            {"strength", reader.number(level.strength, 0, 1e15)},
-                            {"toughness", reader.number(level.toughness, 0, 1e15)},
-                            {"name", reader.string(level.name)}}))
+        if (!reader.object(
+                json[i], here,
+                {{"map", reader.string(map)},
+                 {"pattern", reader.string(pattern)},
+                 {"cut", [&](const nlohmann::json& j,
+                             const std::string& p) { return readCut(reader, j, p, level.cut); }},
+                 {"cluster", reader.string(cluster)},
+                 {"projection", reader.string(projection)},
+                 {"strength", reader.number(level.strength, 0, 1e15)},
+                 {"toughness", reader.number(level.toughness, 0, 1e15)},
+                 {"name", reader.string(level.name)}}))
             return false;
-        if ((map.empty() ? 0 : 1) + (pattern.empty() ? 0 : 1) + (cut.empty() ? 0 : 1) +
+        if ((map.empty() ? 0 : 1) + (pattern.empty() ? 0 : 1) + (level.cut ? 1 : 0) +
                 (cluster.empty() ? 0 : 1) !=
             1)
             return reader.wrong(
@@ -31,7 +35,7 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
                 "needs one of a \"map\", the path of a drawing (SVG, JSON, PNG, "
                 "JPEG), a \"pattern\" like \"voronoi:12\", a \"cut\" through the "
                 "volume like \"voronoi:12\", and a \"cluster\" of finer pieces like \"8\"");
-        if (cut.empty() && cluster.empty() &&
+        if (!level.cut && cluster.empty() &&
             std::any_of(recipe.levels.begin(), recipe.levels.end(),
                         [](const RecipeLevel& before) { return before.cut.has_value(); }))
             return reader.wrong(here, "comes too late: levels of lines come before those of cuts");
@@ -40,12 +44,6 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
             Result<Pattern> parsed = parsePattern(pattern);
             if (!parsed) return reader.wrong(here + "/pattern", ": " + parsed.error().message);
             level.pattern = std::move(*parsed);
-        }
-        if (!cut.empty()) {
-            Result<VolumeCut> parsed = parseVolumeCut(cut);
-            if (!parsed) return reader.wrong(here + "/cut", ": " + parsed.error().message);
-            level.cut = std::move(*parsed);
-            level.cut->where = reader.place(here + "/cut");
         }
         if (!cluster.empty()) {
             Result<Cluster> parsed = parseCluster(cluster);

@@ -116,3 +116,70 @@ TEST_CASE("with several maps the order of files is the order of levels, with one
     CHECK(both.drawings[0].map.lines[1].level == 1);
     CHECK(both.drawings[1].map.lines[1].level == 2);
 }
+
+TEST_CASE("a cut along a drawing may be an object, which says the same as its text") {
+    const auto cutOf = [](const std::string& cut) {
+        return *parseRecipe(R"({"levels": [{"cut": )" + cut + R"(, "name": "a"}]})", "r.json")
+                    .value()
+                    .levels[0]
+                    .cut;
+    };
+    const VolumeCut object = cutOf(
+        R"({"map": "C:/a=b/c.svg", "axis": "-y", "larger": 0.1, "smaller": 0.5, "within": 2,
+            "near": [[1, 2, 3], [4, 5, 6]], "name": "head"})");
+    const VolumeCut text = cutOf(
+        R"("map:C:/a=b/c.svg:axis=-y:larger=0.1:smaller=0.5:within=2:near=1,2,3;4,5,6:name=head")");
+    CHECK(object.kind == VolumeCut::Kind::map);
+    CHECK(object.map == text.map);
+    CHECK(object.along == glm::dvec3(0, -1, 0));
+    CHECK(object.along == text.along);
+    CHECK(object.only.larger == text.only.larger);
+    CHECK(object.only.smaller == text.only.smaller);
+    CHECK(object.only.near == text.only.near);
+    CHECK(object.only.within == text.only.within);
+    CHECK(object.only.name == text.only.name);
+    CHECK(object.where == "r.json#/levels/0/cut");
+    CHECK(object.text == "map:C:/a=b/c.svg:axis=-y");
+    const VolumeCut least = cutOf(R"({"map": "a.svg"})");
+    CHECK(least.along == glm::dvec3(0));
+    CHECK(least.only.all());
+    CHECK(cutOf(R"({"map": "a.svg", "near": [1, 2, 3]})").only.near ==
+          std::vector<glm::dvec3>{{1, 2, 3}});
+}
+
+TEST_CASE("a bad cut along a drawing is refused with its pointer and what is allowed there") {
+    struct Bad {
+        const char* cut;
+        const char* where;  ///< below "cut"
+        const char* says;
+    };
+    for (const Bad& bad : {
+             Bad{"3", "", "an object with a \"map\""},
+             Bad{"[]", "", "a text like \"voronoi:12\""},
+             Bad{R"("")", "", "known are voronoi:N"},
+             Bad{"{}", "", "needs a \"map\""},
+             Bad{R"({"map": ""})", "", "needs a \"map\""},
+             Bad{R"({"map": 1})", "/map", "must be a string"},
+             Bad{R"({"axis": "x"})", "", "needs a \"map\""},
+             Bad{R"({"map": "a", "axis": "w"})", "/axis", R"("x", "y", "z", "-x", "-y" or "-z")"},
+             Bad{R"({"map": "a", "axis": [0, 0, 1]})", "/axis", R"("-y" or "-z")"},
+             Bad{R"({"map": "a", "jitter": 1})", "/jitter", "known are axis, larger, map, name"},
+             Bad{R"({"map": "a", "pattern": "grid:2x2"})", "/pattern", "known are axis"},
+             Bad{R"({"map": "a", "larger": 2})", "/larger", "from 0 to 1"},
+             Bad{R"({"map": "a", "smaller": "1"})", "/smaller", "from 0 to 1"},
+             Bad{R"({"map": "a", "near": [1, 2]})", "/near", "a point [x, y, z]"},
+             Bad{R"({"map": "a", "near": [[1, 2, 3], 4]})", "/near", "a list of such points"},
+             Bad{R"({"map": "a", "near": [0, 0, 1e10]})", "/near", "1e+09"},
+             Bad{R"({"map": "a", "near": []})", "/near", "a point [x, y, z]"},
+             Bad{R"({"map": "a", "within": 1})", "/within", "\"near\""},
+             Bad{R"({"map": "a", "near": [0, 0, 0], "within": -1})", "/within", "from 0 to 1e+09"},
+             Bad{R"({"map": "a", "name": ""})", "/name", "as a label says it"},
+         }) {
+        CAPTURE(bad.cut);
+        const Error error =
+            errorOf(R"({"levels": [{"cut": "voronoi:2"}, {"cut": )" + std::string(bad.cut) + "}]}");
+        CHECK(error.where == "r.json#/levels/1/cut" + std::string(bad.where));
+        CAPTURE(error.message);
+        CHECK(error.message.find(bad.says) != std::string::npos);
+    }
+}

@@ -27,6 +27,7 @@ TEST_CASE("cuts are read with their seeds and options") {
     CHECK(map.along == glm::dvec3(0, -1, 0));
     CHECK(map.only.larger == 0.1);
     CHECK(parseVolumeCut("map:cracks.svg").value().along == glm::dvec3(0));
+    CHECK(parseVolumeCut("map:cracks.svg:axis=x:axis=-y").value().along == glm::dvec3(0, -1, 0));
     const PieceChoice only =
         parseVolumeCut("voronoi:6:larger=0.1:smaller=0.5:near=0,1,0:within=2:name=head")
             .value()
