@@ -23,9 +23,10 @@ namespace {
 constexpr uint32_t kNone = 0xFFFFFFFFU;
 constexpr size_t kRuns = 32;
 /// Corners nearer than this to the hull of others are left out at once: share of the diagonal. Not
-/// of a thin piece that would then lack more of its volume than kSkinVolume.
+/// of a thin piece that would then lack more of its volume than kSkinVolume. (Nor less than a
+/// sphere lacks, whose thousands of corners are all on its hull.)
 constexpr double kSkin = 2e-3;
-constexpr double kSkinVolume = 2e-3;
+constexpr double kSkinVolume = 0.02;
 /// Overlaps below this share of the diagonal are let be: a tenth of what is accepted.
 constexpr double kTouch = 1e-6;
 /// What a collider's corners must reach before their number is looked at: share of the volume of
@@ -107,9 +108,10 @@ class ColliderAssembler {
         return {std::move(points), std::move(triangles)};
     }
 
-    /// The hull of few of its corners, chosen at the size of 1: what is a crumb of the object has
-    /// corners, too.
-    ColliderPart reduced(uint32_t fragment, const Polytope& hull, double reach) const {
+    /// The hull of few of its corners, which fills most of a volume, chosen at the size of 1: what
+    /// is a crumb of the object has corners, too.
+    ColliderPart reduced(uint32_t fragment, const Polytope& hull, double volume,
+                         double reach) const {
         const std::vector<uint8_t> all(hull.points.size(), 1);
         const Frame own = frameOf(hull.points);
         std::vector<glm::dvec3> points;
@@ -117,7 +119,7 @@ class ColliderAssembler {
         SelectionGoal goal;
         goal.count = settings_.hullVertices;
         goal.most = std::max(settings_.hullVertices, kMostVertices);
-        goal.volume = kFilled * volumeOf(hull) * own.scale * own.scale * own.scale;
+        goal.volume = kFilled * volume * own.scale * own.scale * own.scale;
         goal.reach = reach * own.scale;
         goal.counts = all;
         std::vector<glm::dvec3> chosen;
@@ -131,6 +133,9 @@ class ColliderAssembler {
         Polytope hull = hullOf(solid.skinPoints(), kSkin);
         if (volumeOf(hull) < (1 - kSkinVolume) * solid.volume()) hull = hullOf(solid.skinPoints());
         if (hull.empty()) return {};
+        // What the skin took is to be filled, too; more than that is a solid that overlaps itself.
+        const double whole =
+            std::max(volumeOf(hull), std::min(solid.volume(), volumeOf(hull) / (1 - kSkinVolume)));
         Bounds box;
         for (const glm::dvec3& p : hull.points) box.add(p);
         const glm::dvec3 size = box.size();
@@ -140,13 +145,14 @@ class ColliderAssembler {
         PartSettings settings;
         settings.most = settings_.convexParts;
         if (settings.most == 1 || solid.volume() > settings.full * volumeOf(hull))
-            return {reduced(fragment, hull, reach)};
+            return {reduced(fragment, hull, whole, reach)};
         std::vector<ColliderPart> parts;
         for (const std::vector<glm::dvec3>& corners : convexParts(solid, settings)) {
             const Polytope part = hullOf(corners, kSkin);
-            if (!part.empty() && !isFlat(part)) parts.push_back(reduced(fragment, part, reach));
+            if (!part.empty() && !isFlat(part))
+                parts.push_back(reduced(fragment, part, volumeOf(part), reach));
         }
-        if (parts.empty()) parts.push_back(reduced(fragment, hull, reach));
+        if (parts.empty()) parts.push_back(reduced(fragment, hull, whole, reach));
         return parts;
     }
 

@@ -22,8 +22,24 @@ struct Overlap {
     double depth() const { return high - low; }
 };
 
+/// Whether a face of a has b beyond it but for `tolerance`, as the face between two cells has:
+/// asked first, for it needs no face told apart from coplanar ones.
+bool isBeyondAFace(const Polytope& a, const Polytope& b, double tolerance) {
+    return std::any_of(a.faces.begin(), a.faces.end(), [&](const std::array<uint32_t, 3>& f) {
+        const glm::dvec3& p = a.points[f[0]];
+        const glm::dvec3 n = glm::cross(a.points[f[1]] - p, a.points[f[2]] - p);
+        const double length = glm::length(n);
+        const double least = glm::dot(n, p) - tolerance * length;
+        return length > 0 &&
+               std::all_of(b.points.begin(), b.points.end(),
+                           [&](const glm::dvec3& q) { return glm::dot(n, q) >= least; }) &&
+               reachOf(a.points, n).high - reachOf(b.points, n).low <= tolerance * length;
+    });
+}
+
 /// Along the normals of faces of both: those of a outwards, those of b inwards.
 std::vector<Overlap> overlapsOf(const Polytope& a, const Polytope& b, double tolerance) {
+    if (isBeyondAFace(a, b, tolerance) || isBeyondAFace(b, a, tolerance)) return {};
     std::vector<Overlap> out;
     for (const bool fromB : {false, true}) {
         for (const HalfSpace& wall : halfSpacesOf(fromB ? b : a)) {

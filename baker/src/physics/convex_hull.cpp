@@ -63,24 +63,23 @@ std::vector<glm::dvec3> thicken(const std::vector<glm::dvec3>& points,
     return out;
 }
 
-/// At most `count` points that span a volume, whatever comes in.
-std::vector<glm::dvec3> selectPoints(const std::vector<glm::dvec3>& points, uint32_t count) {
+/// The hull of at most `count` points, of a volume whatever comes in.
+Polytope hullOfFew(const std::vector<glm::dvec3>& points, uint32_t count) {
     const Span span = spanOf(points);
     std::vector<glm::dvec3> chosen;
     if (span.dimension == 3) {
-        const std::vector<glm::dvec3> corners = hullOf(points).points;
+        Polytope hull = hullOf(points);
+        if (hull.points.size() <= count) return hull;
+        const std::vector<glm::dvec3>& corners = hull.points;
         for (const uint32_t i : selectHullVertices(corners, spanOf(corners), {.count = count}))
             chosen.push_back(corners[i]);
-        return chosen;
+        return hullOf(chosen);
     }
     for (const uint32_t i : selectHullVertices(points, span, {.count = count / 2}))
         chosen.push_back(points[i]);
-    if (span.dimension == 2) return thicken(chosen, span.direction);
-    if (span.dimension == 1) {
-        const glm::dvec3 side = anyPerpendicular(span.direction);
-        return thicken(thicken(chosen, side), glm::cross(span.direction, side));
-    }
-    return chosen;
+    if (span.dimension == 2) return hullOf(thicken(chosen, span.direction));
+    const glm::dvec3 side = anyPerpendicular(span.direction);
+    return hullOf(thicken(thicken(chosen, side), glm::cross(span.direction, side)));
 }
 
 /// What a point, or nothing, collides as: a cube of a size that floats can still tell apart.
@@ -134,7 +133,8 @@ Shrunk shrunkBy(double margin, const Polytope& hull, const std::vector<HalfSpace
     for (size_t i = 0; i < hull.points.size(); ++i)
         out.depth = std::max(out.depth, glm::distance(hull.points[i], out.points[i]) - margin);
     const double whole = volumeOf(hull);
-    if (margin > 0) out.volume = 1 - roundedVolume(hullOf(out.points), margin) / whole;
+    // Moved corners keep their faces, all but: good enough for a share, and no hull to be found.
+    if (margin > 0) out.volume = 1 - roundedVolume({out.points, hull.faces, {}}, margin) / whole;
     return out;
 }
 
@@ -170,10 +170,10 @@ ColliderHull colliderHull(std::span<const glm::dvec3> points, const HullOptions&
     for (glm::dvec3& p : unit) p = (p - frame.center) / frame.size;
 
     const uint32_t count = std::clamp<uint32_t>(options.maxVertices, 8, 255);
-    const std::vector<glm::dvec3> chosen = selectPoints(unit, count);
-    const Polytope hull = hullOf(chosen);
+    const Polytope hull = hullOfFew(unit, count);
     const std::vector<HalfSpace> halfSpaces = halfSpacesOf(hull);
-    const double margin = std::min(setting / frame.size, 0.1 * thinnestExtent(chosen, halfSpaces));
+    const double margin =
+        std::min(setting / frame.size, 0.1 * thinnestExtent(hull.points, halfSpaces));
 
     const Shrunk shrunk =
         shrunkWithin({options.reach / frame.size, 1 - options.volume}, margin, hull, halfSpaces);
@@ -182,7 +182,7 @@ ColliderHull colliderHull(std::span<const glm::dvec3> points, const HullOptions&
     if (spansVolume(out, frame)) return out;
     // A needle may shrink to points that floats cannot tell apart: it keeps its corners and no
     // margin.
-    return placed(chosen, frame);
+    return placed(hull.points, frame);
 }
 
 }  // namespace sherd

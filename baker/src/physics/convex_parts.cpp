@@ -4,8 +4,7 @@
 // by the plane after which the hulls hold least (X. Wei et al., CoACD, 2022, whose concavity looks
 // at the inside, too; what lies inside a collider nobody meets); in the end parts are merged where
 // that adds hardly any air (K. Mamou, V-HACD). HACD and ConvexDecomposition of Bullet's extras were
-// judged and left: they count triangles, not volume, need seconds for a piece of some thousand, and
-// their parts overlap.
+// judged and left: they count triangles, not volume, and their parts overlap.
 #include "physics/convex_parts.h"
 
 #include <algorithm>

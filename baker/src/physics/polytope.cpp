@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <unordered_map>
 
 namespace sherd {
 namespace {
@@ -43,25 +42,30 @@ double roundedVolume(const Polytope& polytope, double margin) {
         return glm::cross(polytope.points[f[1]] - a, polytope.points[f[2]] - a);
     };
     double twiceArea = 0;
-    std::unordered_map<uint64_t, glm::dvec3> normalAt;  // of the face at each directed edge
+    struct Side {
+        uint64_t edge;
+        double length;
+        glm::dvec3 normal;
+    };
+    std::vector<Side> edges;  // each twice
     for (const auto& f : polytope.faces) {
         const glm::dvec3 n = sides(f);
         twiceArea += glm::length(n);
-        for (size_t k = 0; k < 3; ++k) normalAt[uint64_t{f[k]} << 32 | f[(k + 1) % 3]] = n;
-    }
-    double bend = 0;  // lengths of edges times the angles between the normals beside them, twice
-    for (const auto& f : polytope.faces) {
-        const glm::dvec3 n = sides(f);
         for (size_t k = 0; k < 3; ++k) {
             const uint32_t a = f[k], b = f[(k + 1) % 3];
-            const glm::dvec3& beside = normalAt[uint64_t{b} << 32 | a];
-            const double angle =
-                std::atan2(glm::length(glm::cross(n, beside)), glm::dot(n, beside));
-            bend += glm::distance(polytope.points[a], polytope.points[b]) * angle;
+            edges.push_back({uint64_t{std::min(a, b)} << 32 | std::max(a, b),
+                             glm::distance(polytope.points[a], polytope.points[b]), n});
         }
     }
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Side& x, const Side& y) { return x.edge < y.edge; });
+    double bend = 0;  // lengths of edges times the angles between the normals beside them
+    for (size_t i = 0; i + 1 < edges.size(); i += 2) {
+        const glm::dvec3 &n = edges[i].normal, &m = edges[i + 1].normal;
+        bend += edges[i].length * std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m));
+    }
     return volumeOf(polytope) +
-           margin * (twiceArea / 2 + margin * (bend / 4 + margin * 4 / 3 * M_PI));
+           margin * (twiceArea / 2 + margin * (bend / 2 + margin * 4 / 3 * M_PI));
 }
 
 double volumeBeyond(const Polytope& polytope, const HalfSpace& wall) {
@@ -112,12 +116,11 @@ std::vector<HalfSpace> halfSpacesOf(const Polytope& polytope) {
         const double length = glm::length(n);
         if (!(length > 0)) continue;
         const glm::dvec3 normal = n / length;
-        const double offset = reachOf(polytope.points, normal).high;
         const bool known = std::any_of(out.begin(), out.end(), [&](const HalfSpace& h) {
             const glm::dvec3 d = h.normal - normal;
             return glm::dot(d, d) < 1e-14;
         });
-        if (!known) out.push_back({normal, offset});
+        if (!known) out.push_back({normal, reachOf(polytope.points, normal).high});
     }
     return out;
 }
