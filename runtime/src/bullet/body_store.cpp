@@ -2,15 +2,15 @@
 #include "bullet/body_store.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bullet/convert.h"
+#include "core/mass_properties.h"
 
 namespace sherd {
 
 BodyStore::~BodyStore() {
-    for (uint32_t p = 0; p < pieces_.size(); ++p) {
-        if (pieces_[p].body) removeBody(p);
+    for (uint32_t i = 0; i < islands_.size(); ++i) {
+        if (islands_[i].body) removeBody(i);
     }
 }
 
@@ -20,6 +20,16 @@ std::shared_ptr<FragmentShapes> BodyStore::shapesOf(const std::shared_ptr<const 
     }
     shapes_.push_back(std::make_shared<FragmentShapes>(asset));
     return shapes_.back();
+}
+
+uint32_t BodyStore::takeSlot() {
+    if (freeIslands_.empty()) {
+        islands_.emplace_back();
+        return uint32_t(islands_.size() - 1);
+    }
+    const uint32_t slot = freeIslands_.back();
+    freeIslands_.pop_back();
+    return slot;
 }
 
 ObjectId BodyStore::spawn(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
@@ -34,116 +44,197 @@ ObjectId BodyStore::spawn(const std::shared_ptr<const Asset>& asset, const Rigid
     }
     Object& object = objects_[index];
     object.shapes = std::move(shapes);
+    object.structure = std::make_unique<Structure>(asset);
     object.options = options;
-    const uint32_t piece = addPiece(index, 0, options.dynamic, pose);
-    if (options.dynamic) {
-        pieces_[piece].body->setLinearVelocity(toBullet(options.linearVelocity));
-        pieces_[piece].body->setAngularVelocity(toBullet(options.angularVelocity));
+    const uint32_t slot = takeSlot();
+    IslandBody& island = islands_[slot];
+    island.object = index;
+    island.fragments.assign(1, 0);
+    island.bornAt = -HUGE_VAL;
+    island.pose = island.previous = pose;
+    island.isAnchored = asset->graph().isAnchored(0);
+    const bool isFixed = !options.dynamic || island.isAnchored;
+    makeBody(slot, isFixed);
+    if (!isFixed) {
+        island.body->setLinearVelocity(toBullet(options.linearVelocity));
+        island.body->setAngularVelocity(toBullet(options.angularVelocity));
     }
-    object.pieces.assign(1, piece);
+    object.bodies.assign(1, slot);
     return idOf(index);
 }
 
 void BodyStore::remove(uint32_t index) {
     Object& object = objects_[index];
-    for (const uint32_t piece : object.pieces) removeBody(piece);
-    object.pieces.clear();
+    for (const uint32_t island : object.bodies) removeBody(island);
+    // Backwards, so that the slots are handed out again in the order they were given up.
+    freeIslands_.insert(freeIslands_.end(), object.bodies.rbegin(), object.bodies.rend());
+    object.bodies.clear();
     object.shapes.reset();
+    object.structure.reset();
     ++object.generation;
     freeObjects_.push_back(index);
-    recycle();
 }
 
-uint32_t BodyStore::addPiece(uint32_t index, uint32_t fragment, bool dynamic,
-                             const RigidPose& pose) {
-    const Object& object = objects_[index];
-    const Fragment& baked = object.asset().fragment(fragment);
-    btRigidBody::btRigidBodyConstructionInfo info(
-        dynamic ? baked.mass : 0, nullptr, object.shapes->shape(fragment),
-        dynamic ? toBullet(baked.inertiaDiagonal) : btVector3(0, 0, 0));
-    info.m_startWorldTransform = toBullet(pose) * object.shapes->bodyFrame(fragment);
-    info.m_friction = baked.friction;
-    info.m_restitution = baked.restitution;
+/// What the island's fragments are as one body; makes its shape and sets its frame.
+btRigidBody::btRigidBodyConstructionInfo BodyStore::describe(IslandBody& island, bool isFixed) {
+    const FragmentShapes& shapes = *objects_[island.object].shapes;
+    const Asset& asset = *shapes.asset();
+    const Fragment& first = asset.fragment(island.fragments.front());
+    btCollisionShape* shape = nullptr;
+    double mass = double(first.mass);
+    btVector3 inertia = toBullet(first.inertiaDiagonal);
+    island.shape.reset();
+    if (island.fragments.size() == 1) {
+        shape = shapes.shape(island.fragments.front());
+        island.frame = shapes.bodyFrame(island.fragments.front());
+    } else {
+        MassProperties sum;
+        for (const uint32_t fragment : island.fragments)
+            sum = sum + massOf(asset.fragment(fragment));
+        const PrincipalInertia principal = principalInertia(sum);
+        mass = sum.mass;
+        inertia = toBullet(principal.diagonal);
+        island.frame = btTransform(toBullet(principal.orientation).normalized(),
+                                   toBullet(glm::vec3(sum.center)));
+        island.shape = std::make_unique<IslandShape>(shapes, island.fragments, island.frame);
+        shape = island.shape->shape();
+    }
+    btRigidBody::btRigidBodyConstructionInfo info(isFixed ? 0 : btScalar(mass), nullptr, shape,
+                                                  isFixed ? btVector3(0, 0, 0) : inertia);
+    info.m_startWorldTransform = toBullet(island.pose) * island.frame;
+    info.m_friction = first.friction;
+    info.m_restitution = first.restitution;
+    return info;
+}
 
-    uint32_t slot = uint32_t(pieces_.size());
-    if (freePieces_.empty()) {
-        pieces_.emplace_back();
-    } else {
-        slot = freePieces_.back();
-        freePieces_.pop_back();
-    }
-    Piece& piece = pieces_[slot];
-    piece.body = std::make_unique<btRigidBody>(info);
-    piece.object = index;
-    piece.fragment = fragment;
-    piece.pose = pose;
-    piece.previous = pose;
-    piece.body->setUserIndex3(int(slot));
-    const SpawnOptions& options = object.options;
+void BodyStore::addToWorld(IslandBody& island) {
+    const SpawnOptions& options = objects_[island.object].options;
     if (options.collisionGroup == 0 && options.collisionMask == 0) {
-        world_.addRigidBody(piece.body.get());
+        world_.addRigidBody(island.body.get());
     } else {
-        world_.addRigidBody(piece.body.get(), options.collisionGroup, options.collisionMask);
+        world_.addRigidBody(island.body.get(), options.collisionGroup, options.collisionMask);
     }
+}
+
+void BodyStore::makeBody(uint32_t index, bool isFixed) {
+    IslandBody& island = islands_[index];
+    island.body = std::make_unique<btRigidBody>(describe(island, isFixed));
+    island.body->setUserIndex3(int(index));
+    addToWorld(island);
     ++bodyCount_;
-    breakableCount_ += breakable(piece) ? 1 : 0;
     posesListed_ = false;
-    return slot;
+}
+
+/// The same body, with another shape, mass and centre. Out of the world and in again: Bullet sorts
+/// bodies into fixed and moving ones when they are added, and holds contacts of the old shape.
+void BodyStore::reshape(uint32_t index, bool isFixed) {
+    IslandBody& island = islands_[index];
+    btRigidBody& body = *island.body;
+    const bool isInWorld = body.isInWorld();
+    if (isInWorld) world_.removeRigidBody(&body);
+    const std::unique_ptr<IslandShape> old = std::move(island.shape);
+    const auto info = describe(island, isFixed);
+    body.setCollisionShape(info.m_collisionShape);
+    body.setWorldTransform(info.m_startWorldTransform);
+    body.setInterpolationWorldTransform(info.m_startWorldTransform);
+    body.setMassProps(info.m_mass, info.m_localInertia);
+    body.updateInertiaTensor();
+    body.setFriction(info.m_friction);
+    body.setRestitution(info.m_restitution);
+    if (isInWorld) addToWorld(island);
+    posesListed_ = false;
 }
 
 void BodyStore::removeBody(uint32_t index) {
-    Piece& piece = pieces_[index];
-    breakableCount_ -= breakable(piece) ? 1 : 0;
+    IslandBody& island = islands_[index];
     --bodyCount_;
-    if (piece.body->isInWorld()) world_.removeRigidBody(piece.body.get());
-    piece.body.reset();
-    removedPieces_.push_back(index);
+    if (island.body->isInWorld()) world_.removeRigidBody(island.body.get());
+    island.body.reset();
+    island.shape.reset();
     posesListed_ = false;
 }
 
-std::span<const uint32_t> BodyStore::swap(uint32_t index, bool inStep) {
-    const uint32_t objectIndex = pieces_[index].object;
-    const uint32_t fragment = pieces_[index].fragment;
-    const RigidPose pose = pieces_[index].pose;
-    const RigidPose previous = pieces_[index].previous;
-    const btVector3 center = pieces_[index].body->getCenterOfMassPosition();
-    const btVector3 linear = pieces_[index].body->getLinearVelocity();
-    const btVector3 angular = pieces_[index].body->getAngularVelocity();
-    removeBody(index);
-
-    const Range range = objects_[objectIndex].asset().fragment(fragment).children;
-    children_.clear();
-    for (uint32_t child = range.first; child < range.first + range.count; ++child) {
-        const uint32_t slot = addPiece(objectIndex, child, true, pose);
-        Piece& piece = pieces_[slot];
-        piece.previous = previous;
-        const btVector3 arm = piece.body->getCenterOfMassPosition() - center;
-        piece.body->setLinearVelocity(linear + angular.cross(arm));
-        piece.body->setAngularVelocity(angular);
-        // Bullet applies gravity once before all substeps of a step and clears it after the last.
-        if (inStep) piece.body->applyGravity();
-        children_.push_back(slot);
+bool BodyStore::regroup(uint32_t index) {
+    IslandBody& island = islands_[index];
+    const Structure& structure = *objects_[island.object].structure;
+    std::vector<uint32_t>& fragments = island.fragments;
+    isRegrouped_ = false;
+    for (size_t i = 0; i < fragments.size();) {
+        if (structure.stands(fragments[i])) {
+            ++i;
+            continue;
+        }
+        isRegrouped_ = true;
+        const Range children = structure.asset().fragment(fragments[i]).children;
+        fragments[i] = children.first;
+        for (uint32_t c = 1; c < children.count; ++c) fragments.push_back(children.first + c);
     }
-    std::vector<uint32_t>& pieces = objects_[objectIndex].pieces;
-    pieces.erase(std::find(pieces.begin(), pieces.end(), index));
-    const auto behind = std::find_if(pieces.begin(), pieces.end(),
-                                     [&](uint32_t p) { return pieces_[p].fragment > range.first; });
-    pieces.insert(behind, children_.begin(), children_.end());
-    return children_;
+    std::sort(fragments.begin(), fragments.end());
+    structure.islandsOf(fragments, groups_);
+    const bool wasAnchored = island.isAnchored;
+    return groups_.size() > 1 || (wasAnchored && !groups_[0].anchored);
 }
 
-void BodyStore::recycle() {
-    // Backwards, so that the slots are handed out again in the order they were given up.
-    freePieces_.insert(freePieces_.end(), removedPieces_.rbegin(), removedPieces_.rend());
-    removedPieces_.clear();
+std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inStep) {
+    updated_.assign(1, index);
+    const bool comesApart =
+        groups_.size() > 1 || (islands_[index].isAnchored && !groups_[0].anchored);
+    if (!isRegrouped_ && !comesApart) return updated_;
+    const uint32_t objectIndex = islands_[index].object;
+    const auto largest =
+        size_t(std::max_element(groups_.begin(), groups_.end(),
+                                [](const auto& x, const auto& y) { return x.mass < y.mass; }) -
+               groups_.begin());
+    const btRigidBody& whole = *islands_[index].body;
+    const btVector3 center = whole.getCenterOfMassPosition();
+    const btVector3 linear = whole.getLinearVelocity();
+    const btVector3 angular = whole.getAngularVelocity();
+    const auto giveMotion = [&](btRigidBody& body) {
+        if (body.isStaticObject()) return;
+        body.setLinearVelocity(linear + angular.cross(body.getCenterOfMassPosition() - center));
+        body.setAngularVelocity(angular);
+    };
+    for (size_t g = 0; g < groups_.size(); ++g) {
+        if (g == largest) continue;
+        const uint32_t slot = takeSlot();
+        IslandBody& island = islands_[slot];
+        island.object = objectIndex;
+        island.fragments = groups_[g].fragments;
+        island.isAnchored = groups_[g].anchored;
+        island.bornAt = time;
+        island.pose = islands_[index].pose;
+        island.previous = islands_[index].previous;
+        makeBody(slot, island.isAnchored);
+        giveMotion(*island.body);
+        // Bullet applies gravity once before all substeps of a step and clears it after the last.
+        if (inStep) island.body->applyGravity();
+        updated_.push_back(slot);
+    }
+    IslandBody& kept = islands_[index];
+    kept.fragments = std::move(groups_[largest].fragments);
+    kept.isAnchored = groups_[largest].anchored;
+    if (comesApart) kept.bornAt = time;
+    // A body that stands by its spawn option alone stands until something comes off.
+    const bool isFixed = kept.isAnchored || (!comesApart && kept.body->isStaticObject());
+    const btVector3 weight = kept.body->getGravity() * kept.body->getMass();
+    reshape(index, isFixed);
+    giveMotion(*kept.body);
+    if (inStep && !isFixed)
+        kept.body->applyCentralForce(kept.body->getGravity() * kept.body->getMass() - weight);
+
+    std::vector<uint32_t>& bodies = objects_[objectIndex].bodies;
+    bodies.insert(bodies.end(), updated_.begin() + 1, updated_.end());
+    std::sort(bodies.begin(), bodies.end(), [&](uint32_t x, uint32_t y) {
+        return islands_[x].fragments.front() < islands_[y].fragments.front();
+    });
+    return updated_;
 }
 
 void BodyStore::readPoses() {
-    for (Piece& piece : pieces_) {
-        if (!piece.body) continue;
-        piece.previous = piece.pose;
-        const btTransform bodyFrame = objects_[piece.object].shapes->bodyFrame(piece.fragment);
-        piece.pose = toPose(piece.body->getWorldTransform() * bodyFrame.inverse());
+    for (IslandBody& island : islands_) {
+        if (!island.body) continue;
+        island.previous = island.pose;
+        island.pose = toPose(island.body->getWorldTransform() * island.frame.inverse());
     }
     posesListed_ = false;
 }
@@ -152,11 +243,16 @@ std::span<const FragmentPose> BodyStore::poses() {
     if (posesListed_) return poses_;
     poses_.clear();
     for (uint32_t o = 0; o < objects_.size(); ++o) {
-        for (const uint32_t p : objects_[o].pieces) {
-            const Piece& piece = pieces_[p];
-            poses_.push_back(
-                {idOf(o), &objects_[o].asset(), piece.fragment, piece.pose, piece.previous});
+        const size_t first = poses_.size();
+        for (const uint32_t b : objects_[o].bodies) {
+            const IslandBody& island = islands_[b];
+            for (const uint32_t fragment : island.fragments)
+                poses_.push_back(
+                    {idOf(o), &objects_[o].asset(), fragment, island.pose, island.previous});
         }
+        std::sort(
+            poses_.begin() + std::ptrdiff_t(first), poses_.end(),
+            [](const FragmentPose& x, const FragmentPose& y) { return x.fragment < y.fragment; });
     }
     posesListed_ = true;
     return poses_;
@@ -171,22 +267,23 @@ ObjectId BodyStore::idOf(uint32_t object) const {
     return {object, objects_[object].generation};
 }
 
-uint32_t BodyStore::findPiece(uint32_t object, uint32_t fragment) const {
-    for (const uint32_t piece : objects_[object].pieces) {
-        if (pieces_[piece].fragment == fragment) return piece;
+uint32_t BodyStore::findIsland(uint32_t object, uint32_t fragment) const {
+    for (const uint32_t island : objects_[object].bodies) {
+        const std::vector<uint32_t>& fragments = islands_[island].fragments;
+        if (std::binary_search(fragments.begin(), fragments.end(), fragment)) return island;
     }
     return UINT32_MAX;
 }
 
 // The slot number on the body is only a hint: the game's own bodies may carry any number there.
-uint32_t BodyStore::pieceOf(const btCollisionObject& body) const {
+uint32_t BodyStore::islandOf(const btCollisionObject& body) const {
     const auto slot = uint32_t(body.getUserIndex3());
-    return slot < pieces_.size() && pieces_[slot].body.get() == &body ? slot : UINT32_MAX;
+    return slot < islands_.size() && islands_[slot].body.get() == &body ? slot : UINT32_MAX;
 }
 
-bool BodyStore::breakable(const Piece& piece) const {
-    const Object& object = objects_[piece.object];
-    return std::isfinite(breakThreshold(object.asset(), piece.fragment, object.options.damage));
+uint32_t BodyStore::fragmentOf(uint32_t index, int child) const {
+    const IslandBody& island = islands_[index];
+    return island.shape && child >= 0 ? island.shape->fragmentOf(child) : island.fragments.front();
 }
 
 }  // namespace sherd

@@ -10,29 +10,35 @@
 
 #include "bullet/fragment_shapes.h"
 #include "sherd/runtime/bullet/destruction_world.h"
+#include "sherd/runtime/structure.h"
 
 namespace sherd {
 
-/// One body in the world: the intact object or a fragment.
-struct Piece {
-    std::unique_ptr<btRigidBody> body;  ///< null: this slot is free
+/// One body in the world: an island, whose fragments hold together.
+struct IslandBody {
+    std::unique_ptr<btRigidBody> body;   ///< null: this slot is free
+    std::unique_ptr<IslandShape> shape;  ///< null: its only fragment's own
     uint32_t object = 0;
-    uint32_t fragment = 0;
-    RigidPose pose;
+    std::vector<uint32_t> fragments;  ///< that stand, ascending
+    bool isAnchored = false;          ///< by a bond to the world that is not broken
+    btTransform frame;                ///< body to object
+    double bornAt = 0;                ///< s
+    RigidPose pose;                   ///< of the object frame
     RigidPose previous;
 };
 
 struct Object {
     std::shared_ptr<FragmentShapes> shapes;  ///< null: this slot is free
+    std::unique_ptr<Structure> structure;
     uint32_t generation = 0;
     SpawnOptions options;          ///< `damage` already combined with the world's
-    std::vector<uint32_t> pieces;  ///< ascending by fragment
+    std::vector<uint32_t> bodies;  ///< ascending by their first fragment
 
     [[nodiscard]] const Asset& asset() const { return *shapes->asset(); }
 };
 
-/// Objects and their bodies: makes, swaps and removes them, and lists their poses. It knows nothing
-/// of hits. Slots are reused last in, first out, so equal calls give equal slots.
+/// Objects and their bodies: makes, splits and removes them, and lists their poses. It knows
+/// nothing of hits. Slots are reused last in, first out, so equal calls give equal slots.
 class BodyStore {
   public:
     explicit BodyStore(btDynamicsWorld& world) : world_(world) {}
@@ -44,11 +50,14 @@ class BodyStore {
                    const SpawnOptions& options);
     void remove(uint32_t object);
 
-    /// Replaces a piece by its children: each has the velocity of its part. `inStep`: Bullet has
-    /// given its gravity for this step already, and the new bodies must have theirs. The old body
-    /// is gone afterwards; its slot is not reused before `recycle`. Valid until the next call.
-    std::span<const uint32_t> swap(uint32_t piece, bool inStep);
-    void recycle();
+    /// What the object's structure makes of a body's fragments now: those that were opened give
+    /// way to their children, and islands form. Returns whether it comes apart or off its anchors.
+    bool regroup(uint32_t body);
+    /// Carries out what the last `regroup` of this body found: every island but the largest gets a
+    /// body of its own, with the velocity its part had. `inStep`: Bullet has given its gravity for
+    /// this step already, and new bodies must have theirs. Returns the bodies there are now, the
+    /// old one first. Valid until the next call.
+    std::span<const uint32_t> split(uint32_t body, double time, bool inStep);
 
     /// The substep is over: reads all bodies.
     void readPoses();
@@ -57,32 +66,38 @@ class BodyStore {
     [[nodiscard]] bool isAlive(ObjectId id) const;
     [[nodiscard]] ObjectId idOf(uint32_t object) const;
     [[nodiscard]] const Object& object(uint32_t index) const { return objects_[index]; }
-    [[nodiscard]] const Piece& piece(uint32_t index) const { return pieces_[index]; }
-    /// UINT32_MAX when there is none.
-    [[nodiscard]] uint32_t findPiece(uint32_t object, uint32_t fragment) const;
-    [[nodiscard]] uint32_t pieceOf(const btCollisionObject& body) const;
+    [[nodiscard]] const IslandBody& island(uint32_t index) const { return islands_[index]; }
+    [[nodiscard]] Structure& structureOf(uint32_t island) {
+        return *objects_[islands_[island].object].structure;
+    }
+    /// Of the body in which a fragment stands; UINT32_MAX when there is none.
+    [[nodiscard]] uint32_t findIsland(uint32_t object, uint32_t fragment) const;
+    [[nodiscard]] uint32_t islandOf(const btCollisionObject& body) const;
+    /// The fragment that a child of the body's shape belongs to; the first for -1.
+    [[nodiscard]] uint32_t fragmentOf(uint32_t island, int child) const;
     [[nodiscard]] uint32_t bodyCount() const { return bodyCount_; }
-    /// Pieces that a hit could break.
-    [[nodiscard]] uint32_t breakableCount() const { return breakableCount_; }
 
   private:
     std::shared_ptr<FragmentShapes> shapesOf(const std::shared_ptr<const Asset>& asset);
-    uint32_t addPiece(uint32_t object, uint32_t fragment, bool dynamic, const RigidPose& pose);
-    void removeBody(uint32_t piece);
-    [[nodiscard]] bool breakable(const Piece& piece) const;
+    uint32_t takeSlot();
+    void makeBody(uint32_t island, bool isFixed);
+    void reshape(uint32_t island, bool isFixed);
+    void addToWorld(IslandBody& island);
+    btRigidBody::btRigidBodyConstructionInfo describe(IslandBody& island, bool isFixed);
+    void removeBody(uint32_t island);
 
     btDynamicsWorld& world_;
     std::vector<std::shared_ptr<FragmentShapes>> shapes_;
     std::vector<Object> objects_;
     std::vector<uint32_t> freeObjects_;
-    std::vector<Piece> pieces_;
-    std::vector<uint32_t> freePieces_;
-    std::vector<uint32_t> removedPieces_;  ///< free after `recycle`
-    std::vector<uint32_t> children_;
+    std::vector<IslandBody> islands_;
+    std::vector<uint32_t> freeIslands_;
+    std::vector<uint32_t> updated_;
+    std::vector<Structure::Island> groups_;  ///< of the last body regrouped
+    bool isRegrouped_ = false;               ///< whether it consists of other fragments than it did
     std::vector<FragmentPose> poses_;
     bool posesListed_ = false;
     uint32_t bodyCount_ = 0;
-    uint32_t breakableCount_ = 0;
 };
 
 }  // namespace sherd

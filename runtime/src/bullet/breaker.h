@@ -20,26 +20,28 @@ class Breaker {
     /// Call when a substep has been solved and integrated. `inStep`: from within stepSimulation.
     void step(double time, float dt, bool inStep);
     /// Without a hit, between steps.
-    void breakPiece(uint32_t piece, double time);
+    void breakFragment(uint32_t island, uint32_t fragment, double time);
     void removeObject(uint32_t object);
 
     std::span<const BreakEvent> takeEvents();
     [[nodiscard]] size_t ignoredPairCount() const { return ignored_.size(); }
 
   private:
-    struct Hit {
+    struct Meeting {
         size_t pair;
         Contact contact;
         float energy;
     };
     struct Strike;
 
-    void findHits();
-    void applyHit(const Hit& hit);
-    [[nodiscard]] uint32_t weakerSide(const Strike& strike, float energy, float impulse) const;
-    void breakSide(Strike& strike, uint32_t side, const Contact& contact, float surplus);
-    std::span<const uint32_t> swap(uint32_t piece, const BreakEvent& event);
-    void joinGroup(uint32_t parent, std::span<const uint32_t> children);
+    void findMeetings();
+    void applyMeeting(const Meeting& meeting);
+    [[nodiscard]] bool canTakeDamage(uint32_t island, const Meeting& meeting) const;
+    float strikeSide(Strike& strike, uint32_t side, const Contact& contact, float energy,
+                     float& surplus);
+    std::span<const uint32_t> split(uint32_t island);
+    void addEvent(BreakEvent event, uint32_t island, uint32_t fragment, uint32_t bodies);
+    void joinGroup(uint32_t parent, std::span<const uint32_t> bodies);
     void settleOverlaps();
 
     btDynamicsWorld& world_;
@@ -50,16 +52,18 @@ class Breaker {
     double time_ = 0;
     bool inStep_ = false;
 
-    std::vector<Hit> hits_;
+    std::vector<Meeting> meetings_;
+    HitResult hit_;
     std::vector<BreakEvent> pending_;
     std::vector<BreakEvent> taken_;
     struct Newcomer {
-        uint32_t group;  ///< all that came out of one piece in this step
-        uint32_t piece;
+        uint32_t group;  ///< all that came out of one body in this step
+        uint32_t island;
     };
     std::vector<Newcomer> newcomers_;
     uint32_t groupCount_ = 0;
-    std::vector<std::pair<uint32_t, uint32_t>> inherited_;  ///< pieces whose ancestors overlapped
+    std::vector<std::pair<uint32_t, uint32_t>>
+        inherited_;  ///< islands that overlapped as parts of others
     std::vector<btCollisionObject*> partners_;
 };
 

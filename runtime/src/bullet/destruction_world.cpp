@@ -29,11 +29,12 @@ Result<void> checkSpawn(const std::shared_ptr<const Asset>& asset, const RigidPo
         return fail(ErrorCode::badArgument, "the velocities must be finite", "options");
     }
     const DamageOptions& damage = options.damage;
-    const bool damageOk =
-        damage.toughnessScale > 0 && damage.minimumImpulse >= 0 && damage.minimumEnergy >= 0;
+    const bool damageOk = damage.toughnessScale > 0 && damage.strengthScale > 0 &&
+                          damage.levelScale > 0 && damage.immunity >= 0 &&
+                          damage.minimumImpulse >= 0 && damage.minimumEnergy >= 0;
     if (!damageOk) {
         return fail(ErrorCode::badArgument,
-                    "toughnessScale must be positive, the minimum values not negative",
+                    "the scales must be positive, the minimum values and times not negative",
                     "options.damage");
     }
     return {};
@@ -95,11 +96,11 @@ bool DestructionWorld::remove(ObjectId object) {
 
 bool DestructionWorld::breakFragment(ObjectId object, uint32_t fragment) {
     if (!impl_->store.isAlive(object)) return false;
-    const uint32_t piece = impl_->store.findPiece(object.index, fragment);
-    if (piece == UINT32_MAX) return false;
+    const uint32_t island = impl_->store.findIsland(object.index, fragment);
+    if (island == UINT32_MAX) return false;
     const Asset& asset = impl_->store.object(object.index).asset();
     if (asset.fragment(fragment).children.count == 0) return false;
-    impl_->breaker.breakPiece(piece, impl_->time);
+    impl_->breaker.breakFragment(island, fragment, impl_->time);
     return true;
 }
 
@@ -121,15 +122,20 @@ bool DestructionWorld::isAlive(ObjectId object) const {
 
 btRigidBody* DestructionWorld::body(ObjectId object, uint32_t fragment) const {
     if (!impl_->store.isAlive(object)) return nullptr;
-    const uint32_t piece = impl_->store.findPiece(object.index, fragment);
-    return piece == UINT32_MAX ? nullptr : impl_->store.piece(piece).body.get();
+    const uint32_t island = impl_->store.findIsland(object.index, fragment);
+    return island == UINT32_MAX ? nullptr : impl_->store.island(island).body.get();
 }
 
-std::optional<BodyInfo> DestructionWorld::find(const btCollisionObject& body) const {
-    const uint32_t index = impl_->store.pieceOf(body);
+std::optional<BodyInfo> DestructionWorld::find(const btCollisionObject& body, int child) const {
+    const uint32_t index = impl_->store.islandOf(body);
     if (index == UINT32_MAX) return std::nullopt;
-    const Piece& piece = impl_->store.piece(index);
-    return BodyInfo{impl_->store.idOf(piece.object), piece.fragment};
+    return BodyInfo{impl_->store.idOf(impl_->store.island(index).object),
+                    impl_->store.fragmentOf(index, child)};
+}
+
+const Structure* DestructionWorld::structure(ObjectId object) const {
+    if (!impl_->store.isAlive(object)) return nullptr;
+    return impl_->store.object(object.index).structure.get();
 }
 
 uint32_t DestructionWorld::bodyCount() const {

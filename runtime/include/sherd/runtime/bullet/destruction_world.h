@@ -11,6 +11,7 @@
 #include "sherd/runtime/asset.h"
 #include "sherd/runtime/damage.h"
 #include "sherd/runtime/events.h"
+#include "sherd/runtime/structure.h"
 
 class btCollisionObject;
 class btDynamicsWorld;
@@ -27,7 +28,7 @@ enum class Drive {
 struct WorldOptions {
     Drive drive = Drive::action;
     DamageOptions damage;  ///< for every object; each spawn may add its own
-    /// Siblings released deeper inside each other than this share of the object's diagonal ignore
+    /// Pieces released deeper inside each other than this share of the object's diagonal ignore
     /// each other until they are apart. > 0; smaller lets fewer touching pairs be ignored.
     float overlapTolerance = 1e-5F;
     /// Break events kept until `events` is called; later ones are dropped. >= 1
@@ -35,7 +36,9 @@ struct WorldOptions {
 };
 
 struct SpawnOptions {
-    bool dynamic = true;  ///< false: the intact object stands fixed; its fragments always move
+    /// False: the intact object stands fixed until something comes off. Objects baked with anchors
+    /// stand by those, as long as one holds, and whatever this says.
+    bool dynamic = true;
     DamageOptions damage;
     glm::vec3 linearVelocity{0.0F};   ///< of the centre of mass, m/s, world
     glm::vec3 angularVelocity{0.0F};  ///< rad/s, world
@@ -46,7 +49,7 @@ struct SpawnOptions {
 /// What a Bullet body of Sherd's stands for.
 struct BodyInfo {
     ObjectId object;
-    uint32_t fragment = 0;
+    uint32_t fragment = 0;  ///< the first, or the one a child of its compound shape belongs to
 };
 
 /// Breaks baked objects in a Bullet world that belongs to the game.
@@ -70,8 +73,9 @@ class DestructionWorld {
     /// Takes the object and all its fragments out. False when the handle is no longer valid.
     bool remove(ObjectId object);
 
-    /// Replaces a fragment that stands in the world (0: the intact object) by its children without
-    /// a hit: every child carries the velocity of its part. False when there is nothing to break.
+    /// Breaks a standing fragment (0: the intact object) out of its neighbours and into its
+    /// children, without a hit: every child is a body with the velocity of its part. False when it
+    /// does not stand or has no children.
     bool breakFragment(ObjectId object, uint32_t fragment = 0);
 
     /// Only for `Drive::manual`: measures the hits of the substep just done and breaks what they
@@ -88,16 +92,20 @@ class DestructionWorld {
 
     [[nodiscard]] bool isAlive(ObjectId object) const;
 
-    /// The body that stands for a fragment, or null. It lives until that fragment breaks or is
-    /// removed. The game may push it; it must not remove or delete it.
+    /// The body that a standing fragment is part of, or null. The largest part of what breaks keeps
+    /// its body. The game may push it; it must not delete it.
     [[nodiscard]] btRigidBody* body(ObjectId object, uint32_t fragment = 0) const;
 
     /// What a body found by the game (ray cast, contact) stands for; nothing when it is not
-    /// Sherd's.
-    [[nodiscard]] std::optional<BodyInfo> find(const btCollisionObject& body) const;
+    /// Sherd's. `child`: the index of the compound's child that Bullet gives with a contact point
+    /// or a ray's `LocalShapeInfo`.
+    [[nodiscard]] std::optional<BodyInfo> find(const btCollisionObject& body, int child = -1) const;
 
     /// Bodies of Sherd's in the world now.
     [[nodiscard]] uint32_t bodyCount() const;
+
+    /// What is left of each bond of an object, or nullptr when it is gone.
+    [[nodiscard]] const Structure* structure(ObjectId object) const;
 
     /// Pairs that overlapped when released and still ignore each other.
     [[nodiscard]] uint32_t ignoredPairCount() const;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sherd/runtime/asset.h"
+
+namespace sherd {
+
+/// How far one object is broken: which fragments stand for it, and what is left of each bond. Knows
+/// no physics engine and no motion. Memory is taken at the first damage, none for a whole object.
+class Structure {
+  public:
+    explicit Structure(std::shared_ptr<const Asset> asset) : asset_(std::move(asset)) {}
+
+    [[nodiscard]] const Asset& asset() const { return *asset_; }
+    [[nodiscard]] const BondGraph& graph() const { return asset_->graph(); }
+
+    /// The standing fragment that holds a leaf.
+    [[nodiscard]] uint32_t fragmentAt(uint32_t leaf) const {
+        return standing_.empty() ? 0 : standing_[leaf];
+    }
+    [[nodiscard]] bool stands(uint32_t fragment) const {
+        return fragmentAt(graph().leavesOf(fragment).first) == fragment;
+    }
+    /// What is left of a bond: 1 sound, 0 broken.
+    [[nodiscard]] float health(uint32_t bond) const { return lost_.empty() ? 1 : 1 - lost_[bond]; }
+    [[nodiscard]] bool isBroken(uint32_t bond) const { return !lost_.empty() && lost_[bond] >= 1; }
+    /// Whether anything but sound bonds and the intact object was ever seen.
+    [[nodiscard]] bool isDamaged() const { return !lost_.empty(); }
+
+    /// Takes `share` of the sound bond's energy from it, but never so much that it breaks.
+    void weaken(uint32_t bond, float share);
+    void breakBond(uint32_t bond);
+    /// Puts a fragment's children in its place. It must stand and have some.
+    void open(uint32_t fragment);
+
+    /// One connected group of standing fragments, ascending. Within, fragments hold together by
+    /// bonds that are not broken; `anchored`: one of those goes to the world.
+    struct Island {
+        std::vector<uint32_t> fragments;
+        bool anchored = false;
+        double mass = 0;  ///< kg
+    };
+    /// The islands that some standing fragments form among each other, the one of the smallest leaf
+    /// first.
+    void islandsOf(std::span<const uint32_t> fragments, std::vector<Island>& islands) const;
+
+  private:
+    void prepare();
+
+    std::shared_ptr<const Asset> asset_;
+    std::vector<uint32_t> standing_;  ///< per leaf
+    std::vector<float> lost_;         ///< per bond
+};
+
+}  // namespace sherd

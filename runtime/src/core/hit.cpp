@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// How energy spreads from a contact over the bond graph. A crack that has started runs: all leaf
+// bonds between two standing fragments fail as one.
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <tuple>
+
+#include "sherd/runtime/damage.h"
+#include "sherd/runtime/material.h"
+#include "sherd/runtime/structure.h"
+
+namespace sherd {
+namespace {
+
+/// All that is left of the bonds between two fragments, or of one and the world.
+struct Seam {
+    uint32_t a, b;
+    float energy = 0;    ///< that breaking it would consume, J
+    float area = 0;      ///< m^2
+    float strength = 0;  ///< of its weakest bond, Pa
+    float near = 0;      ///< how near it is: 1 at the point, falling with distance
+    uint32_t firstBond = 0, bondCount = 0;
+};
+
+class Spreading {
+  public:
+    Spreading(Structure& structure, const Hit& hit, const DamageOptions& options)
+        : structure_(structure), graph_(structure.graph()), hit_(hit), options_(options) {}
+
+    void run(HitResult& result) {
+        result.consumed = 0;
+        result.area = 0;
+        result.level = 0;
+        result.bonds.clear();
+        result.opened.clear();
+        uint32_t target = hit_.fragment;
+        float left = hit_.energy;
+        while (left > 0) {
+            divided_ = isBreakable(structure_.asset(), target, options_) ? target : kNone;
+            findSeams(target);
+            const float before = left;
+            const bool opens = breakSeams(left, result);
+            result.consumed += before - left;
+            if (!opens) break;
+            structure_.open(target);
+            result.opened.push_back(target);
+            target = childAt(target);
+        }
+        result.struck = target;
+    }
+
+  private:
+    static constexpr uint32_t kNone = UINT32_MAX;
+
+    /// The fragment a leaf counts for now.
+    uint32_t sideOf(uint32_t leaf) const {
+        if (leaf == BondGraph::kWorld) return kNone;
+        const uint32_t fragment = structure_.fragmentAt(leaf);
+        return fragment == divided_ ? graph_.childWith(fragment, leaf) : fragment;
+    }
+    /// How near a place is, 1..0: one radius of the struck fragment away it is 1/2.
+    float nearness(const glm::vec3& place) const {
+        return radius_ / (radius_ + glm::distance(place, hit_.point));
+    }
+    float priceOf(const BondGraph::Bond& bond) const {
+        const Asset& asset = structure_.asset();
+        const uint32_t level = asset.fragment(bond.parting).level;
+        const auto& material =
+            materialNamed(asset.fragment(graph_.fragmentOfLeaf(bond.a)).material);
+        return bond.area * bond.toughness * material.dissipation * options_.toughnessScale *
+               std::pow(options_.levelScale, float(level));
+    }
+    float strengthOf(const BondGraph::Bond& bond) const {
+        const uint32_t level = structure_.asset().fragment(bond.parting).level;
+        return bond.strength * options_.strengthScale * std::pow(options_.levelScale, float(level));
+    }
+
+    void findSeams(uint32_t target);
+    void addSeamsOf(uint32_t side, std::vector<uint32_t>& reached);
+    bool breakSeams(float& left, HitResult& result);
+    uint32_t childAt(uint32_t fragment) const;
+
+    Structure& structure_;
+    const BondGraph& graph_;
+    const Hit& hit_;
+    const DamageOptions& options_;
+    uint32_t divided_ = kNone;  ///< standing, but seen as its children
+    float radius_ = 0;          ///< of the struck fragment, metres
+    std::vector<Seam> seams_;   ///< that fail at this stress
+    std::vector<uint32_t> bonds_;
+    struct Crossing {
+        uint32_t other, bond;
+    };
+    std::vector<Crossing> crossings_;
+};
+
+/// From the struck fragment on, through every seam the stress can break.
+void Spreading::findSeams(uint32_t target) {
+    seams_.clear();
+    bonds_.clear();
+    const double volume = double(structure_.asset().fragment(target).volume);
+    radius_ = float(std::cbrt(std::max(volume, 1e-30) * 3 / (4 * 3.14159265358979)));
+    std::vector<uint32_t> reached;
+    if (divided_ == kNone) {
+        reached.push_back(target);
+    } else {
+        const Range children = structure_.asset().fragment(target).children;
+        for (uint32_t c = 0; c < children.count; ++c) reached.push_back(children.first + c);
+    }
+    std::vector<uint32_t> all(reached);
+    for (size_t i = 0; i < all.size(); ++i) {
+        reached.clear();
+        addSeamsOf(all[i], reached);
+        for (const uint32_t side : reached)
+            if (std::find(all.begin(), all.end(), side) == all.end()) all.push_back(side);
+    }
+}
+
+void Spreading::addSeamsOf(uint32_t side, std::vector<uint32_t>& reached) {
+    crossings_.clear();
+    const Range leaves = graph_.leavesOf(side);
+    for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+        for (const BondGraph::Edge& edge : graph_.edgesOf(leaf)) {
+            const bool isInner =
+                edge.other != BondGraph::kWorld && graph_.contains(side, edge.other);
+            if (!isInner && !structure_.isBroken(edge.bond))
+                crossings_.push_back({sideOf(edge.other), edge.bond});
+        }
+    }
+    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& x, const Crossing& y) {
+        return std::tie(x.other, x.bond) < std::tie(y.other, y.bond);
+    });
+    for (size_t i = 0; i < crossings_.size();) {
+        const uint32_t other = crossings_[i].other;
+        Seam seam{side, other};
+        seam.firstBond = uint32_t(bonds_.size());
+        seam.strength = HUGE_VALF;
+        for (; i < crossings_.size() && crossings_[i].other == other; ++i) {
+            const uint32_t b = crossings_[i].bond;
+            const BondGraph::Bond& bond = graph_.bond(b);
+            const float price = priceOf(bond);
+            seam.area += bond.area;
+            seam.energy += price * structure_.health(b);
+            seam.strength = std::min(seam.strength, strengthOf(bond));
+            seam.near = std::max(seam.near, nearness(bond.centroid));
+            bonds_.push_back(b);
+        }
+        seam.bondCount = uint32_t(bonds_.size()) - seam.firstBond;
+        const bool fails = hit_.stress * seam.near > seam.strength;
+        const bool isNew = std::none_of(seams_.begin(), seams_.end(), [&](const Seam& known) {
+            return known.a == other && known.b == side;
+        });
+        if (!fails || !isNew) {
+            bonds_.resize(seam.firstBond);
+            if (fails && other != kNone) reached.push_back(other);
+            continue;
+        }
+        seams_.push_back(seam);
+        if (other != kNone) reached.push_back(other);
+    }
+}
+
+/// Gives every seam its share of the energy. Returns whether the divided fragment falls open.
+bool Spreading::breakSeams(float& left, HitResult& result) {
+    const auto isInside = [&](const Seam& seam) {
+        const auto parentOf = [&](uint32_t f) {
+            return f == kNone ? int32_t(-1) : structure_.asset().fragment(f).parent;
+        };
+        return divided_ != kNone && parentOf(seam.a) == int32_t(divided_) &&
+               parentOf(seam.b) == int32_t(divided_);
+    };
+    // Of a factor f, a seam gets f x near^2 x area, or all it can take: it breaks from f = need on.
+    // With the seams in that order, those in front break, the others share the rest.
+    const auto weight = [](const Seam& seam) { return seam.near * seam.near * seam.area; };
+    const auto need = [&](const Seam& seam) {
+        return seam.energy > 0 ? seam.energy / weight(seam) : 0.0F;
+    };
+    std::stable_sort(seams_.begin(), seams_.end(),
+                     [&](const Seam& x, const Seam& y) { return need(x) < need(y); });
+    double weights = 0;
+    for (const Seam& seam : seams_) weights += double(weight(seam));
+    bool opens = false;
+    size_t broken = 0;
+    double rest = double(left);
+    for (; broken < seams_.size(); ++broken) {
+        const Seam& seam = seams_[broken];
+        if (double(need(seam)) * weights > rest) break;
+        rest -= double(seam.energy);
+        weights -= double(weight(seam));
+        for (uint32_t i = 0; i < seam.bondCount; ++i) {
+            const uint32_t b = bonds_[seam.firstBond + i];
+            structure_.breakBond(b);
+            result.bonds.push_back(b);
+            result.area += graph_.bond(b).area;
+            result.level = std::max(result.level,
+                                    structure_.asset().fragment(graph_.bond(b).parting).level + 1);
+        }
+        opens = opens || isInside(seam);
+    }
+    if (broken < seams_.size() && weights > 0) {
+        const double factor = rest / weights;
+        for (size_t s = broken; s < seams_.size(); ++s) {
+            if (!(seams_[s].energy > 0)) continue;
+            const double taken = factor * double(weight(seams_[s]));
+            const auto share = float(taken / double(seams_[s].energy));  // of what is left
+            for (uint32_t i = 0; i < seams_[s].bondCount; ++i) {
+                const uint32_t b = bonds_[seams_[s].firstBond + i];
+                structure_.weaken(b, share * structure_.health(b));
+            }
+        }
+        rest = 0;
+    }
+    // Children that nothing holds together cost the least there is.
+    if (divided_ != kNone && !opens && rest > double(options_.minimumEnergy)) {
+        const Range leaves = graph_.leavesOf(divided_);
+        bool isBonded = false;
+        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf)
+            for (const BondGraph::Edge& edge : graph_.edgesOf(leaf))
+                isBonded = isBonded || (graph_.bond(edge.bond).parting == divided_ &&
+                                        edge.other != BondGraph::kWorld);
+        if (!isBonded) {
+            opens = true;
+            rest -= double(options_.minimumEnergy);
+        }
+    }
+    left = float(std::max(rest, 0.0));
+    return opens;
+}
+
+/// The child the hit met: the one whose colliders' box is nearest to the point.
+uint32_t Spreading::childAt(uint32_t fragment) const {
+    const Asset& asset = structure_.asset();
+    const Range children = asset.fragment(fragment).children;
+    uint32_t nearest = children.first;
+    auto least = std::pair(HUGE_VALF, HUGE_VALF);
+    for (uint32_t c = children.first; c < children.first + children.count; ++c) {
+        const auto& [low, high] = asset.box(c);
+        const glm::vec3 off = hit_.point - glm::clamp(hit_.point, low, high);
+        const std::pair distance(glm::dot(off, off),
+                                 glm::distance(hit_.point, asset.fragment(c).centerOfMass));
+        if (!(distance < least)) continue;
+        least = distance;
+        nearest = c;
+    }
+    return nearest;
+}
+
+}  // namespace
+
+void applyHit(Structure& structure, const Hit& hit, const DamageOptions& options,
+              HitResult& result) {
+    Spreading(structure, hit, options).run(result);
+}
+
+void shatter(Structure& structure, uint32_t fragment, HitResult& result) {
+    const BondGraph& graph = structure.graph();
+    result = {};
+    const auto breakAround = [&](uint32_t part) {
+        const Range leaves = graph.leavesOf(part);
+        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+            for (const BondGraph::Edge& edge : graph.edgesOf(leaf)) {
+                const bool isInner =
+                    edge.other != BondGraph::kWorld && graph.contains(part, edge.other);
+                if (isInner || structure.isBroken(edge.bond)) continue;
+                structure.breakBond(edge.bond);
+                result.bonds.push_back(edge.bond);
+                result.area += graph.bond(edge.bond).area;
+            }
+        }
+    };
+    const Fragment& broken = structure.asset().fragment(fragment);
+    result.level = broken.level + 1;
+    result.struck = fragment;
+    if (broken.children.count == 0) {
+        breakAround(fragment);
+        return;
+    }
+    for (uint32_t c = 0; c < broken.children.count; ++c) breakAround(broken.children.first + c);
+    structure.open(fragment);
+    result.opened.push_back(fragment);
+}
+
+}  // namespace sherd
