@@ -135,7 +135,7 @@ TEST_CASE("a body that loses its last anchor falls, and stays the same body") {
     strike(bullet, -1.9F, 1, 10);
     REQUIRE(stepUntilBreak(bullet, destruction, 60));
     CHECK(destruction.bodyCount() == 1);
-    CHECK(destruction.body(bar, 1) == body);
+    CHECK(destruction.body(bar) == body);
     CHECK_FALSE(body->isStaticObject());
     for (int i = 0; i < 60; ++i) bullet.step();
     CHECK(destruction.poses()[0].pose.translation.y < -3);
