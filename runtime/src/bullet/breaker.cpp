@@ -115,10 +115,10 @@ void Breaker::findMeetings() {
 void Breaker::applyMeeting(const Meeting& meeting) {
     const SolvedPair& pair = contacts_.pairs()[meeting.pair];
     Strike strike{meeting.pair,
-                        {contacts_.body(pair.a), contacts_.body(pair.b)},
-                        {pair.childA, pair.childB},
-                        pair.point,
-                        pair.normal};
+                  {contacts_.body(pair.a), contacts_.body(pair.b)},
+                  {pair.childA, pair.childB},
+                  pair.point,
+                  pair.normal};
     if (!strike.bodies[0] || !strike.bodies[1]) return;  // came apart by a harder hit just now
     // Another hit may have taken this contact back, and used up its energy.
     Meeting now = meeting;
@@ -154,7 +154,7 @@ float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact,
     hit.point = toGlm(island.frame * (body.getWorldTransform().inverse() * strike.point));
     hit.energy = energy;
     hit.stress = contactStress(object.asset(), hit.fragment, contact.approachSpeed);
-    sherd::applyHit(store_.structureOf(index), hit, object.options.damage, hit_);
+    solver_.apply(store_.structureOf(index), hit, object.options.damage, hit_);
     if (!hit_.brokeSomething()) return hit_.consumed;
 
     BreakEvent event;

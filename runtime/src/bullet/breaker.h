@@ -53,6 +53,7 @@ class Breaker {
     bool inStep_ = false;
 
     std::vector<Meeting> meetings_;
+    HitSolver solver_;
     HitResult hit_;
     std::vector<BreakEvent> pending_;
     std::vector<BreakEvent> taken_;

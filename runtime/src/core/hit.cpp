@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <tuple>
 
 #include "sherd/runtime/damage.h"
-#include "sherd/runtime/material.h"
 #include "sherd/runtime/structure.h"
 
 namespace sherd {
@@ -24,10 +24,53 @@ struct Seam {
     uint32_t firstBond = 0, bondCount = 0;
 };
 
+struct Crossing {
+    uint32_t other, bond;
+};
+
+}  // namespace
+
+struct HitSolver::Scratch {
+    std::vector<Seam> seams;      ///< that fail at this stress
+    std::vector<uint32_t> bonds;  ///< of the seams
+    std::vector<Crossing> crossings;
+    std::vector<uint32_t> front;  ///< fragments reached, in that order
+    /// Per fragment: the round in which it was reached, and the one in which its seams were found.
+    std::vector<uint32_t> reached, done;
+    uint32_t round = 0;
+
+    void nextRound(uint32_t fragments) {
+        if (reached.size() < fragments) {
+            reached.resize(fragments, 0);
+            done.resize(fragments, 0);
+        }
+        if (++round == 0) {
+            std::fill(reached.begin(), reached.end(), 0U);
+            std::fill(done.begin(), done.end(), 0U);
+            round = 1;
+        }
+        seams.clear();
+        bonds.clear();
+        front.clear();
+    }
+    void reach(uint32_t fragment) {
+        if (reached[fragment] == round) return;
+        reached[fragment] = round;
+        front.push_back(fragment);
+    }
+};
+
+namespace {
+
 class Spreading {
   public:
-    Spreading(Structure& structure, const Hit& hit, const DamageOptions& options)
-        : structure_(structure), graph_(structure.graph()), hit_(hit), options_(options) {}
+    Spreading(Structure& structure, const Hit& hit, const DamageOptions& options,
+              HitSolver::Scratch& scratch)
+        : structure_(structure),
+          graph_(structure.graph()),
+          hit_(hit),
+          options_(options),
+          scratch_(scratch) {}
 
     void run(HitResult& result) {
         result.consumed = 0;
@@ -64,21 +107,20 @@ class Spreading {
     float nearness(const glm::vec3& place) const {
         return radius_ / (radius_ + glm::distance(place, hit_.point));
     }
+    float levelScale(const BondGraph::Bond& bond) const {
+        if (options_.levelScale == 1) return 1;
+        return std::pow(options_.levelScale,
+                        float(structure_.asset().fragment(bond.parting).level));
+    }
     float priceOf(const BondGraph::Bond& bond) const {
-        const Asset& asset = structure_.asset();
-        const uint32_t level = asset.fragment(bond.parting).level;
-        const auto& material =
-            materialNamed(asset.fragment(graph_.fragmentOfLeaf(bond.a)).material);
-        return bond.area * bond.toughness * material.dissipation * options_.toughnessScale *
-               std::pow(options_.levelScale, float(level));
+        return bond.energy * options_.toughnessScale * levelScale(bond);
     }
     float strengthOf(const BondGraph::Bond& bond) const {
-        const uint32_t level = structure_.asset().fragment(bond.parting).level;
-        return bond.strength * options_.strengthScale * std::pow(options_.levelScale, float(level));
+        return bond.strength * options_.strengthScale * levelScale(bond);
     }
 
     void findSeams(uint32_t target);
-    void addSeamsOf(uint32_t side, std::vector<uint32_t>& reached);
+    void addSeamsOf(uint32_t side);
     bool breakSeams(float& left, HitResult& result);
     uint32_t childAt(uint32_t fragment) const;
 
@@ -88,77 +130,61 @@ class Spreading {
     const DamageOptions& options_;
     uint32_t divided_ = kNone;  ///< standing, but seen as its children
     float radius_ = 0;          ///< of the struck fragment, metres
-    std::vector<Seam> seams_;   ///< that fail at this stress
-    std::vector<uint32_t> bonds_;
-    struct Crossing {
-        uint32_t other, bond;
-    };
-    std::vector<Crossing> crossings_;
+    HitSolver::Scratch& scratch_;
 };
 
 /// From the struck fragment on, through every seam the stress can break.
 void Spreading::findSeams(uint32_t target) {
-    seams_.clear();
-    bonds_.clear();
+    scratch_.nextRound(structure_.asset().fragmentCount());
     const double volume = double(structure_.asset().fragment(target).volume);
-    radius_ = float(std::cbrt(std::max(volume, 1e-30) * 3 / (4 * 3.14159265358979)));
-    std::vector<uint32_t> reached;
+    radius_ = float(std::cbrt(std::max(volume, 1e-30) * 3 / (4 * std::numbers::pi)));
     if (divided_ == kNone) {
-        reached.push_back(target);
+        scratch_.reach(target);
     } else {
         const Range children = structure_.asset().fragment(target).children;
-        for (uint32_t c = 0; c < children.count; ++c) reached.push_back(children.first + c);
+        for (uint32_t c = 0; c < children.count; ++c) scratch_.reach(children.first + c);
     }
-    std::vector<uint32_t> all(reached);
-    for (size_t i = 0; i < all.size(); ++i) {
-        reached.clear();
-        addSeamsOf(all[i], reached);
-        for (const uint32_t side : reached)
-            if (std::find(all.begin(), all.end(), side) == all.end()) all.push_back(side);
-    }
+    for (size_t i = 0; i < scratch_.front.size(); ++i) addSeamsOf(scratch_.front[i]);
 }
 
-void Spreading::addSeamsOf(uint32_t side, std::vector<uint32_t>& reached) {
-    crossings_.clear();
+void Spreading::addSeamsOf(uint32_t side) {
+    auto& [seams, bonds, crossings, front, reached, done, round] = scratch_;
+    done[side] = round;
+    crossings.clear();
     const Range leaves = graph_.leavesOf(side);
     for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
         for (const BondGraph::Edge& edge : graph_.edgesOf(leaf)) {
             const bool isInner =
                 edge.other != BondGraph::kWorld && graph_.contains(side, edge.other);
-            if (!isInner && !structure_.isBroken(edge.bond))
-                crossings_.push_back({sideOf(edge.other), edge.bond});
+            if (isInner || structure_.isBroken(edge.bond)) continue;
+            const uint32_t other = sideOf(edge.other);
+            if (other == kNone || done[other] != round) crossings.push_back({other, edge.bond});
         }
     }
-    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& x, const Crossing& y) {
+    std::sort(crossings.begin(), crossings.end(), [](const Crossing& x, const Crossing& y) {
         return std::tie(x.other, x.bond) < std::tie(y.other, y.bond);
     });
-    for (size_t i = 0; i < crossings_.size();) {
-        const uint32_t other = crossings_[i].other;
+    for (size_t i = 0; i < crossings.size();) {
+        const uint32_t other = crossings[i].other;
         Seam seam{side, other};
-        seam.firstBond = uint32_t(bonds_.size());
+        seam.firstBond = uint32_t(bonds.size());
         seam.strength = HUGE_VALF;
-        for (; i < crossings_.size() && crossings_[i].other == other; ++i) {
-            const uint32_t b = crossings_[i].bond;
+        for (; i < crossings.size() && crossings[i].other == other; ++i) {
+            const uint32_t b = crossings[i].bond;
             const BondGraph::Bond& bond = graph_.bond(b);
-            const float price = priceOf(bond);
             seam.area += bond.area;
-            seam.energy += price * structure_.health(b);
+            seam.energy += priceOf(bond) * structure_.health(b);
             seam.strength = std::min(seam.strength, strengthOf(bond));
             seam.near = std::max(seam.near, nearness(bond.centroid));
-            bonds_.push_back(b);
+            bonds.push_back(b);
         }
-        seam.bondCount = uint32_t(bonds_.size()) - seam.firstBond;
-        const bool fails = hit_.stress * seam.near > seam.strength;
-        const bool isNew = std::none_of(seams_.begin(), seams_.end(), [&](const Seam& known) {
-            return known.a == other && known.b == side;
-        });
-        if (!fails || !isNew) {
-            bonds_.resize(seam.firstBond);
-            if (fails && other != kNone) reached.push_back(other);
+        seam.bondCount = uint32_t(bonds.size()) - seam.firstBond;
+        if (!(hit_.stress * seam.near > seam.strength)) {
+            bonds.resize(seam.firstBond);
             continue;
         }
-        seams_.push_back(seam);
-        if (other != kNone) reached.push_back(other);
+        seams.push_back(seam);
+        if (other != kNone) scratch_.reach(other);
     }
 }
 
@@ -177,20 +203,20 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
     const auto need = [&](const Seam& seam) {
         return seam.energy > 0 ? seam.energy / weight(seam) : 0.0F;
     };
-    std::stable_sort(seams_.begin(), seams_.end(),
+    std::stable_sort(scratch_.seams.begin(), scratch_.seams.end(),
                      [&](const Seam& x, const Seam& y) { return need(x) < need(y); });
     double weights = 0;
-    for (const Seam& seam : seams_) weights += double(weight(seam));
+    for (const Seam& seam : scratch_.seams) weights += double(weight(seam));
     bool opens = false;
     size_t broken = 0;
     double rest = double(left);
-    for (; broken < seams_.size(); ++broken) {
-        const Seam& seam = seams_[broken];
+    for (; broken < scratch_.seams.size(); ++broken) {
+        const Seam& seam = scratch_.seams[broken];
         if (double(need(seam)) * weights > rest) break;
         rest -= double(seam.energy);
         weights -= double(weight(seam));
         for (uint32_t i = 0; i < seam.bondCount; ++i) {
-            const uint32_t b = bonds_[seam.firstBond + i];
+            const uint32_t b = scratch_.bonds[seam.firstBond + i];
             structure_.breakBond(b);
             result.bonds.push_back(b);
             result.area += graph_.bond(b).area;
@@ -199,14 +225,14 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
         }
         opens = opens || isInside(seam);
     }
-    if (broken < seams_.size() && weights > 0) {
+    if (broken < scratch_.seams.size() && weights > 0) {
         const double factor = rest / weights;
-        for (size_t s = broken; s < seams_.size(); ++s) {
-            if (!(seams_[s].energy > 0)) continue;
-            const double taken = factor * double(weight(seams_[s]));
-            const auto share = float(taken / double(seams_[s].energy));  // of what is left
-            for (uint32_t i = 0; i < seams_[s].bondCount; ++i) {
-                const uint32_t b = bonds_[seams_[s].firstBond + i];
+        for (size_t s = broken; s < scratch_.seams.size(); ++s) {
+            if (!(scratch_.seams[s].energy > 0)) continue;
+            const double taken = factor * double(weight(scratch_.seams[s]));
+            const auto share = float(taken / double(scratch_.seams[s].energy));  // of what is left
+            for (uint32_t i = 0; i < scratch_.seams[s].bondCount; ++i) {
+                const uint32_t b = scratch_.bonds[scratch_.seams[s].firstBond + i];
                 structure_.weaken(b, share * structure_.health(b));
             }
         }
@@ -249,9 +275,14 @@ uint32_t Spreading::childAt(uint32_t fragment) const {
 
 }  // namespace
 
-void applyHit(Structure& structure, const Hit& hit, const DamageOptions& options,
-              HitResult& result) {
-    Spreading(structure, hit, options).run(result);
+HitSolver::HitSolver() : scratch_(std::make_unique<Scratch>()) {}
+HitSolver::~HitSolver() = default;
+HitSolver::HitSolver(HitSolver&&) noexcept = default;
+HitSolver& HitSolver::operator=(HitSolver&&) noexcept = default;
+
+void HitSolver::apply(Structure& structure, const Hit& hit, const DamageOptions& options,
+                      HitResult& result) {
+    Spreading(structure, hit, options, *scratch_).run(result);
 }
 
 void shatter(Structure& structure, uint32_t fragment, HitResult& result) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 namespace sherd {
@@ -66,8 +67,21 @@ struct HitResult {
 /// them by their area over the square of the distance, and a bond breaks that gets its toughness x
 /// area x dissipation: near and weak ones first. The others keep the damage. What is left descends
 /// into the fragment at the point, level by level, as long as something breaks.
-void applyHit(Structure& structure, const Hit& hit, const DamageOptions& options,
-              HitResult& result);
+class HitSolver {
+  public:
+    HitSolver();
+    ~HitSolver();
+    HitSolver(HitSolver&&) noexcept;
+    HitSolver& operator=(HitSolver&&) noexcept;
+
+    void apply(Structure& structure, const Hit& hit, const DamageOptions& options,
+               HitResult& result);
+
+    struct Scratch;  ///< kept from hit to hit, so that they allocate nothing
+
+  private:
+    std::unique_ptr<Scratch> scratch_;
+};
 
 /// Breaks a standing fragment out of its neighbours and into its children, whatever it takes.
 /// `consumed` stays 0.
