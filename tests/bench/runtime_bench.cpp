@@ -44,12 +44,11 @@ std::shared_ptr<const Asset> cubes(glm::ivec3 counts) {
 
 /// Damage and split without physics.
 double damageAndSplit(const std::shared_ptr<const Asset>& asset, HitSolver& solver,
-                      HitResult& result, float energy, size_t* islands) {
+                      IslandFinder& finder, HitResult& result, float energy, size_t* islands) {
     Structure structure(asset);
     structure.open(0);
     std::vector<uint32_t> all;
     for (uint32_t f = 1; f < asset->fragmentCount(); ++f) all.push_back(f);
-    std::vector<Structure::Island> groups;
     Hit hit;
     hit.fragment = 1;
     hit.point = asset->fragment(1).centerOfMass;
@@ -57,9 +56,9 @@ double damageAndSplit(const std::shared_ptr<const Asset>& asset, HitSolver& solv
     hit.stress = 1e12F;
     const double time = milliseconds([&] {
         solver.apply(structure, hit, {}, result);
-        structure.islandsOf(all, groups);
+        finder.find(structure, all);
     });
-    *islands = groups.size();
+    *islands = finder.islands().size();
     return time;
 }
 
@@ -140,6 +139,7 @@ double stepWithIntact(bool withSherd, bool asleep) {
 int main(int argc, char** argv) {
     const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
     HitSolver solver;
+    IslandFinder finder;
     HitResult result;
     const auto thousand = cubes({7, 11, 13});
     std::printf("damage and split of %u fragments with %zu bonds, no physics\n",
@@ -147,8 +147,9 @@ int main(int argc, char** argv) {
     for (const float share : {0.01F, 0.1F, 0.5F}) {
         size_t islands = 0;
         const float energy = share * thousand->breakEnergy(0);
-        const double time = smallest(
-            runs, [&] { return damageAndSplit(thousand, solver, result, energy, &islands); });
+        const double time = smallest(runs, [&] {
+            return damageAndSplit(thousand, solver, finder, result, energy, &islands);
+        });
         std::printf("  %4.0f %% of their energy: %5zu bonds broken, %4zu islands %8.3f ms\n",
                     100 * double(share), result.bonds.size(), islands, time);
     }
@@ -168,7 +169,6 @@ int main(int argc, char** argv) {
         std::printf("  %-32s%14.3f%12.3f%5.1f us\n", asleep ? "asleep" : "awake", ours, without,
                     1e3 * (ours - without));
     }
-    std::printf("bytes a whole object takes: %zu, and its body\n",
-                sizeof(Structure) + 64);
+    std::printf("bytes a whole object takes: %zu, and its body\n", sizeof(Structure) + 64);
     return 0;
 }

@@ -17,12 +17,23 @@ std::shared_ptr<const Asset> makeBox(const test::BoxFracture& recipe) {
 }
 
 /// The islands of all that stands.
-std::vector<Structure::Island> islandsOf(const Structure& structure) {
+struct Island {
+    std::vector<uint32_t> fragments;
+    bool anchored;
+    double mass;
+};
+
+std::vector<Island> islandsOf(const Structure& structure) {
     std::vector<uint32_t> standing;
     for (uint32_t f = 0; f < structure.asset().fragmentCount(); ++f)
         if (structure.stands(f)) standing.push_back(f);
-    std::vector<Structure::Island> islands;
-    structure.islandsOf(standing, islands);
+    IslandFinder finder;
+    finder.find(structure, standing);
+    std::vector<Island> islands;
+    for (const IslandFinder::Island& island : finder.islands()) {
+        const auto fragments = finder.fragmentsOf(island);
+        islands.push_back({{fragments.begin(), fragments.end()}, island.anchored, island.mass});
+    }
     return islands;
 }
 
@@ -220,7 +231,7 @@ TEST_CASE("random hits consume no more than they bring, and never mend anything"
         CHECK(lost == doctest::Approx(consumed).epsilon(1e-3));
         // Every leaf is in exactly one island.
         uint32_t leaves = 0;
-        for (const Structure::Island& island : islandsOf(structure))
+        for (const Island& island : islandsOf(structure))
             for (const uint32_t f : island.fragments) leaves += asset->graph().leavesOf(f).count;
         CHECK(leaves == asset->graph().leafCount());
     }

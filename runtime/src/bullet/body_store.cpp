@@ -170,21 +170,25 @@ bool BodyStore::regroup(uint32_t index) {
         for (uint32_t c = 1; c < children.count; ++c) fragments.push_back(children.first + c);
     }
     std::sort(fragments.begin(), fragments.end());
-    structure.islandsOf(fragments, groups_);
-    const bool wasAnchored = island.isAnchored;
-    return groups_.size() > 1 || (wasAnchored && !groups_[0].anchored);
+    groups_.find(structure, fragments);
+    return comesApart(island);
+}
+
+bool BodyStore::comesApart(const IslandBody& island) const {
+    const auto groups = groups_.islands();
+    return groups.size() > 1 || (island.isAnchored && !groups[0].anchored);
 }
 
 std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inStep) {
     updated_.assign(1, index);
-    const bool comesApart =
-        groups_.size() > 1 || (islands_[index].isAnchored && !groups_[0].anchored);
-    if (!isRegrouped_ && !comesApart) return updated_;
+    const bool isSplit = comesApart(islands_[index]);
+    if (!isRegrouped_ && !isSplit) return updated_;
+    const std::span<const IslandFinder::Island> groups = groups_.islands();
     const uint32_t objectIndex = islands_[index].object;
     const auto largest =
-        size_t(std::max_element(groups_.begin(), groups_.end(),
+        size_t(std::max_element(groups.begin(), groups.end(),
                                 [](const auto& x, const auto& y) { return x.mass < y.mass; }) -
-               groups_.begin());
+               groups.begin());
     const btRigidBody& whole = *islands_[index].body;
     const btVector3 center = whole.getCenterOfMassPosition();
     const btVector3 linear = whole.getLinearVelocity();
@@ -194,13 +198,17 @@ std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inS
         body.setLinearVelocity(linear + angular.cross(body.getCenterOfMassPosition() - center));
         body.setAngularVelocity(angular);
     };
-    for (size_t g = 0; g < groups_.size(); ++g) {
+    const auto give = [&](IslandBody& island, size_t group) {
+        const std::span<const uint32_t> fragments = groups_.fragmentsOf(groups[group]);
+        island.fragments.assign(fragments.begin(), fragments.end());
+        island.isAnchored = groups[group].anchored;
+    };
+    for (size_t g = 0; g < groups.size(); ++g) {
         if (g == largest) continue;
         const uint32_t slot = takeSlot();
         IslandBody& island = islands_[slot];
         island.object = objectIndex;
-        island.fragments = groups_[g].fragments;
-        island.isAnchored = groups_[g].anchored;
+        give(island, g);
         island.bornAt = time;
         island.pose = islands_[index].pose;
         island.previous = islands_[index].previous;
@@ -211,11 +219,10 @@ std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inS
         updated_.push_back(slot);
     }
     IslandBody& kept = islands_[index];
-    kept.fragments = std::move(groups_[largest].fragments);
-    kept.isAnchored = groups_[largest].anchored;
-    if (comesApart) kept.bornAt = time;
+    give(kept, largest);
+    if (isSplit) kept.bornAt = time;
     // A body that stands by its spawn option alone stands until something comes off.
-    const bool isFixed = kept.isAnchored || (!comesApart && kept.body->isStaticObject());
+    const bool isFixed = kept.isAnchored || (!isSplit && kept.body->isStaticObject());
     const btVector3 weight = kept.body->getGravity() * kept.body->getMass();
     reshape(index, isFixed);
     giveMotion(*kept.body);

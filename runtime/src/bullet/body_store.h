@@ -80,6 +80,8 @@ class BodyStore {
   private:
     std::shared_ptr<FragmentShapes> shapesOf(const std::shared_ptr<const Asset>& asset);
     uint32_t takeSlot();
+    /// Whether the groups found are more than the island was, or it loses its anchors.
+    [[nodiscard]] bool comesApart(const IslandBody& island) const;
     void makeBody(uint32_t island, bool isFixed);
     void reshape(uint32_t island, bool isFixed);
     void addToWorld(IslandBody& island);
@@ -93,7 +95,7 @@ class BodyStore {
     std::vector<IslandBody> islands_;
     std::vector<uint32_t> freeIslands_;
     std::vector<uint32_t> updated_;
-    std::vector<Structure::Island> groups_;  ///< of the last body regrouped
+    IslandFinder groups_;           ///< of the last body regrouped
     bool isRegrouped_ = false;               ///< whether it consists of other fragments than it did
     std::vector<FragmentPose> poses_;
     bool posesListed_ = false;

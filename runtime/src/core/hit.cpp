@@ -20,6 +20,7 @@ struct Seam {
     float energy = 0;    ///< that breaking it would consume, J
     float area = 0;      ///< m^2
     float strength = 0;  ///< of its weakest bond, Pa
+    float need = 0;      ///< the factor from which it breaks
     float near = 0;      ///< how near it is: 1 at the point, falling with distance
     uint32_t firstBond = 0, bondCount = 0;
 };
@@ -200,11 +201,11 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
     // Of a factor f, a seam gets f x near^2 x area, or all it can take: it breaks from f = need on.
     // With the seams in that order, those in front break, the others share the rest.
     const auto weight = [](const Seam& seam) { return seam.near * seam.near * seam.area; };
-    const auto need = [&](const Seam& seam) {
-        return seam.energy > 0 ? seam.energy / weight(seam) : 0.0F;
-    };
-    std::stable_sort(scratch_.seams.begin(), scratch_.seams.end(),
-                     [&](const Seam& x, const Seam& y) { return need(x) < need(y); });
+    for (Seam& seam : scratch_.seams)
+        seam.need = seam.energy > 0 ? seam.energy / weight(seam) : 0.0F;
+    std::sort(scratch_.seams.begin(), scratch_.seams.end(), [](const Seam& x, const Seam& y) {
+        return std::tie(x.need, x.firstBond) < std::tie(y.need, y.firstBond);
+    });
     double weights = 0;
     for (const Seam& seam : scratch_.seams) weights += double(weight(seam));
     bool opens = false;
@@ -212,7 +213,7 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
     double rest = double(left);
     for (; broken < scratch_.seams.size(); ++broken) {
         const Seam& seam = scratch_.seams[broken];
-        if (double(need(seam)) * weights > rest) break;
+        if (double(seam.need) * weights > rest) break;
         rest -= double(seam.energy);
         weights -= double(weight(seam));
         for (uint32_t i = 0; i < seam.bondCount; ++i) {

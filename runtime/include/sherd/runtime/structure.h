@@ -38,23 +38,38 @@ class Structure {
     /// Puts a fragment's children in its place. It must stand and have some.
     void open(uint32_t fragment);
 
-    /// One connected group of standing fragments, ascending. Within, fragments hold together by
-    /// bonds that are not broken; `anchored`: one of those goes to the world.
-    struct Island {
-        std::vector<uint32_t> fragments;
-        bool anchored = false;
-        double mass = 0;  ///< kg
-    };
-    /// The islands that some standing fragments form among each other, the one of the smallest leaf
-    /// first.
-    void islandsOf(std::span<const uint32_t> fragments, std::vector<Island>& islands) const;
-
   private:
     void prepare();
 
     std::shared_ptr<const Asset> asset_;
     std::vector<uint32_t> standing_;  ///< per leaf
     std::vector<float> lost_;         ///< per bond
+};
+
+/// The connected groups that standing fragments form. Keeps its memory from one search to the next.
+class IslandFinder {
+  public:
+    /// Its fragments hold together by bonds that are not broken.
+    struct Island {
+        Range fragments;        ///< into the finder's list
+        bool anchored = false;  ///< by a bond to the world that is not broken
+        double mass = 0;        ///< kg
+    };
+    /// Of these, all standing; bonds to others do not count.
+    void find(const Structure& structure, std::span<const uint32_t> fragments);
+
+    /// In the order of their first fragments.
+    [[nodiscard]] std::span<const Island> islands() const { return islands_; }
+    /// Ascending.
+    [[nodiscard]] std::span<const uint32_t> fragmentsOf(const Island& island) const {
+        return std::span(fragments_).subspan(island.fragments.first, island.fragments.count);
+    }
+
+  private:
+    std::vector<Island> islands_;
+    std::vector<uint32_t> fragments_;
+    std::vector<uint32_t> state_;  ///< per fragment of the asset: the round it is sought, or found
+    uint32_t round_ = 0;
 };
 
 }  // namespace sherd
