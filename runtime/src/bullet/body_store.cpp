@@ -138,6 +138,10 @@ void BodyStore::reshape(uint32_t index, bool isFixed) {
     body.setWorldTransform(info.m_startWorldTransform);
     body.setInterpolationWorldTransform(info.m_startWorldTransform);
     body.setMassProps(info.m_mass, info.m_localInertia);
+    if (isFixed) {
+        body.setLinearVelocity(btVector3(0, 0, 0));
+        body.setAngularVelocity(btVector3(0, 0, 0));
+    }
     body.updateInertiaTensor();
     body.setFriction(info.m_friction);
     body.setRestitution(info.m_restitution);
@@ -154,35 +158,32 @@ void BodyStore::removeBody(uint32_t index) {
     posesListed_ = false;
 }
 
-bool BodyStore::regroup(uint32_t index) {
+BodyStore::Change BodyStore::regroup(uint32_t index) {
     IslandBody& island = islands_[index];
     const Structure& structure = *objects_[island.object].structure;
     std::vector<uint32_t>& fragments = island.fragments;
-    isRegrouped_ = false;
+    change_ = Change::none;
     for (size_t i = 0; i < fragments.size();) {
         if (structure.stands(fragments[i])) {
             ++i;
             continue;
         }
-        isRegrouped_ = true;
+        change_ = Change::finer;
         const Range children = structure.asset().fragment(fragments[i]).children;
         fragments[i] = children.first;
         for (uint32_t c = 1; c < children.count; ++c) fragments.push_back(children.first + c);
     }
     std::sort(fragments.begin(), fragments.end());
     groups_.find(structure, fragments);
-    return comesApart(island);
-}
-
-bool BodyStore::comesApart(const IslandBody& island) const {
     const auto groups = groups_.islands();
-    return groups.size() > 1 || (island.isAnchored && !groups[0].anchored);
+    if (groups.size() > 1 || island.isAnchored != groups[0].anchored) change_ = Change::apart;
+    return change_;
 }
 
 std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inStep) {
     updated_.assign(1, index);
-    const bool isSplit = comesApart(islands_[index]);
-    if (!isRegrouped_ && !isSplit) return updated_;
+    if (change_ == Change::none) return updated_;
+    const bool isSplit = change_ == Change::apart;
     const std::span<const IslandFinder::Island> groups = groups_.islands();
     const uint32_t objectIndex = islands_[index].object;
     const auto largest =
@@ -263,6 +264,53 @@ std::span<const FragmentPose> BodyStore::poses() {
     }
     posesListed_ = true;
     return poses_;
+}
+
+bool BodyStore::pin(uint32_t object, uint32_t fragment, bool pinned) {
+    if (findIsland(object, fragment) == UINT32_MAX) return false;
+    Structure& structure = *objects_[object].structure;
+    const Range leaves = structure.graph().leavesOf(fragment);
+    for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf)
+        structure.pin(leaf, pinned);
+    return true;
+}
+
+uint32_t BodyStore::pinLeaves(
+    uint32_t index, const std::function<bool(btCollisionShape&, const btTransform&)>& wanted) {
+    const Object& object = objects_[index];
+    Structure& structure = *object.structure;
+    uint32_t count = 0;
+    for (const uint32_t b : object.bodies) {
+        const IslandBody& island = islands_[b];
+        const btTransform frame = island.body->getWorldTransform() * island.frame.inverse();
+        for (const uint32_t fragment : island.fragments) {
+            const Range leaves = structure.graph().leavesOf(fragment);
+            for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+                const uint32_t f = structure.graph().fragmentOfLeaf(leaf);
+                if (!wanted(*object.shapes->shape(f), frame * object.shapes->bodyFrame(f)))
+                    continue;
+                structure.pin(leaf, true);
+                ++count;
+            }
+        }
+    }
+    return count;
+}
+
+void BodyStore::throwFrom(const glm::vec3& point, float radius, float impulsePerArea) {
+    for (const IslandBody& island : islands_) {
+        if (!island.body || island.body->isStaticObject()) continue;
+        const btVector3 away = island.body->getCenterOfMassPosition() - toBullet(point);
+        const btScalar distance = away.length();
+        if (!(distance < radius) || !(distance > 0)) continue;
+        btVector3 center;
+        btScalar size = 0;
+        island.body->getCollisionShape()->getBoundingSphere(center, size);
+        const btScalar area = SIMD_PI * size * size;
+        island.body->activate();
+        island.body->applyCentralImpulse(away / distance * impulsePerArea * area *
+                                         (1 - distance / radius));
+    }
 }
 
 bool BodyStore::isAlive(ObjectId id) const {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "sherd/runtime/damage.h"
+#include "core/bond_price.h"
 #include "sherd/runtime/structure.h"
 
 namespace sherd {
@@ -74,11 +74,7 @@ class Spreading {
           scratch_(scratch) {}
 
     void run(HitResult& result) {
-        result.consumed = 0;
-        result.area = 0;
-        result.level = 0;
-        result.bonds.clear();
-        result.opened.clear();
+        result.clear();
         uint32_t target = hit_.fragment;
         float left = hit_.energy;
         while (left > 0) {
@@ -108,18 +104,6 @@ class Spreading {
     float nearness(const glm::vec3& place) const {
         return radius_ / (radius_ + glm::distance(place, hit_.point));
     }
-    float levelScale(const BondGraph::Bond& bond) const {
-        if (options_.levelScale == 1) return 1;
-        return std::pow(options_.levelScale,
-                        float(structure_.asset().fragment(bond.parting).level));
-    }
-    float priceOf(const BondGraph::Bond& bond) const {
-        return bond.energy * options_.toughnessScale * levelScale(bond);
-    }
-    float strengthOf(const BondGraph::Bond& bond) const {
-        return bond.strength * options_.strengthScale * levelScale(bond);
-    }
-
     void findSeams(uint32_t target);
     void addSeamsOf(uint32_t side);
     bool breakSeams(float& left, HitResult& result);
@@ -174,8 +158,8 @@ void Spreading::addSeamsOf(uint32_t side) {
             const uint32_t b = crossings[i].bond;
             const BondGraph::Bond& bond = graph_.bond(b);
             seam.area += bond.area;
-            seam.energy += priceOf(bond) * structure_.health(b);
-            seam.strength = std::min(seam.strength, strengthOf(bond));
+            seam.energy += priceOf(structure_.asset(), bond, options_) * structure_.health(b);
+            seam.strength = std::min(seam.strength, strengthOf(structure_.asset(), bond, options_));
             seam.near = std::max(seam.near, nearness(bond.centroid));
             bonds.push_back(b);
         }
@@ -286,9 +270,9 @@ void HitSolver::apply(Structure& structure, const Hit& hit, const DamageOptions&
     Spreading(structure, hit, options, *scratch_).run(result);
 }
 
-void shatter(Structure& structure, uint32_t fragment, HitResult& result) {
+void shatter(Structure& structure, uint32_t fragment, bool whole, HitResult& result) {
     const BondGraph& graph = structure.graph();
-    result = {};
+    result.clear();
     const auto breakAround = [&](uint32_t part) {
         const Range leaves = graph.leavesOf(part);
         for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
@@ -303,12 +287,13 @@ void shatter(Structure& structure, uint32_t fragment, HitResult& result) {
         }
     };
     const Fragment& broken = structure.asset().fragment(fragment);
-    result.level = broken.level + 1;
+    result.level = broken.level;
     result.struck = fragment;
-    if (broken.children.count == 0) {
+    if (whole || broken.children.count == 0) {
         breakAround(fragment);
         return;
     }
+    ++result.level;
     for (uint32_t c = 0; c < broken.children.count; ++c) breakAround(broken.children.first + c);
     structure.open(fragment);
     result.opened.push_back(fragment);

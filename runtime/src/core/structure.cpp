@@ -23,6 +23,18 @@ void Structure::breakBond(uint32_t bond) {
     lost_[bond] = 1;
 }
 
+void Structure::strengthen(uint32_t bond, float share) {
+    if (isDamaged() && !isBroken(bond)) lost_[bond] = std::max(lost_[bond] - share, 0.0F);
+}
+
+void Structure::pin(uint32_t leaf, bool pinned) {
+    if (pins_.empty()) {
+        if (!pinned) return;
+        pins_.assign(graph().leafCount(), 0);
+    }
+    pins_[leaf] = pinned ? 1 : 0;
+}
+
 void Structure::open(uint32_t fragment) {
     prepare();
     const Range children = asset_->fragment(fragment).children;
@@ -53,6 +65,7 @@ void IslandFinder::find(const Structure& structure, std::span<const uint32_t> fr
             island.mass += double(structure.asset().fragment(fragment).mass);
             const Range leaves = graph.leavesOf(fragment);
             for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+                island.anchored = island.anchored || structure.isPinned(leaf);
                 for (const BondGraph::Edge& edge : graph.edgesOf(leaf)) {
                     if (structure.isBroken(edge.bond)) continue;
                     if (edge.other == BondGraph::kWorld) {

@@ -59,6 +59,12 @@ struct HitResult {
     std::vector<uint32_t> bonds;   ///< broken now
     std::vector<uint32_t> opened;  ///< fragments their children stand for now, coarse ones first
 
+    void clear() {
+        consumed = area = 0;
+        level = struck = 0;
+        bonds.clear();
+        opened.clear();
+    }
     [[nodiscard]] bool brokeSomething() const { return !bonds.empty() || !opened.empty(); }
 };
 
@@ -83,9 +89,9 @@ class HitSolver {
     std::unique_ptr<Scratch> scratch_;
 };
 
-/// Breaks a standing fragment out of its neighbours and into its children, whatever it takes.
-/// `consumed` stays 0.
-void shatter(Structure& structure, uint32_t fragment, HitResult& result);
+/// Breaks a standing fragment out of its neighbours and, unless it is to stay whole, into its
+/// children, whatever it takes. `consumed` stays 0.
+void shatter(Structure& structure, uint32_t fragment, bool whole, HitResult& result);
 
 /// Whether a hit could still break anything off or within `fragment`.
 bool isBreakable(const Asset& asset, uint32_t fragment, const DamageOptions& options);

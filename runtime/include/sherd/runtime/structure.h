@@ -35,8 +35,14 @@ class Structure {
     /// Takes `share` of the sound bond's energy from it, but never so much that it breaks.
     void weaken(uint32_t bond, float share);
     void breakBond(uint32_t bond);
+    /// Gives `share` of its energy back to a bond that is not broken.
+    void strengthen(uint32_t bond, float share);
     /// Puts a fragment's children in its place. It must stand and have some.
     void open(uint32_t fragment);
+
+    /// Holds a leaf to the world, or lets it go: an anchor that no hit breaks.
+    void pin(uint32_t leaf, bool pinned);
+    [[nodiscard]] bool isPinned(uint32_t leaf) const { return !pins_.empty() && pins_[leaf] != 0; }
 
   private:
     void prepare();
@@ -44,6 +50,7 @@ class Structure {
     std::shared_ptr<const Asset> asset_;
     std::vector<uint32_t> standing_;  ///< per leaf
     std::vector<float> lost_;         ///< per bond
+    std::vector<uint8_t> pins_;       ///< per leaf
 };
 
 /// The connected groups that standing fragments form. Keeps its memory from one search to the next.
@@ -52,7 +59,7 @@ class IslandFinder {
     /// Its fragments hold together by bonds that are not broken.
     struct Island {
         Range fragments;        ///< into the finder's list
-        bool anchored = false;  ///< by a bond to the world that is not broken
+        bool anchored = false;  ///< by a bond to the world that is not broken, or a pin
         double mass = 0;        ///< kg
     };
     /// Of these, all standing; bonds to others do not count.
