@@ -275,6 +275,37 @@ bool BodyStore::pin(uint32_t object, uint32_t fragment, bool pinned) {
     return true;
 }
 
+void BodyStore::replaceBodies(uint32_t index, ObjectSnapshot&& snapshot) {
+    Object& object = objects_[index];
+    for (const uint32_t island : object.bodies) removeBody(island);
+    freeIslands_.insert(freeIslands_.end(), object.bodies.rbegin(), object.bodies.rend());
+    object.bodies.clear();
+    *object.structure = std::move(*snapshot.structure);
+    for (BodySnapshot& from : snapshot.bodies) {
+        const uint32_t slot = takeSlot();
+        IslandBody& island = islands_[slot];
+        island.object = index;
+        island.fragments = std::move(from.fragments);
+        island.isAnchored = from.isAnchored;
+        island.bornAt = from.bornAt;
+        island.pose = from.pose;
+        island.previous = from.previous;
+        makeBody(slot, from.isFixed);
+        btRigidBody& body = *island.body;
+        body.setWorldTransform(from.transform);
+        body.setInterpolationWorldTransform(from.transform);
+        body.setLinearVelocity(from.linear);
+        body.setAngularVelocity(from.angular);
+        body.setInterpolationLinearVelocity(from.linear);
+        body.setInterpolationAngularVelocity(from.angular);
+        body.updateInertiaTensor();
+        body.forceActivationState(from.activation);
+        body.setDeactivationTime(from.quietFor);
+        if (body.isInWorld()) world_.updateSingleAabb(&body);
+        object.bodies.push_back(slot);
+    }
+}
+
 uint32_t BodyStore::pinLeaves(
     uint32_t index, const std::function<bool(btCollisionShape&, const btTransform&)>& wanted) {
     const Object& object = objects_[index];

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bullet/fragment_shapes.h"
+#include "bullet/object_snapshot.h"
 #include "sherd/runtime/bullet/destruction_world.h"
 #include "sherd/runtime/structure.h"
 
@@ -77,6 +78,9 @@ class BodyStore {
     /// The substep is over: reads all bodies.
     void readPoses();
     std::span<const FragmentPose> poses();
+
+    /// Bodies in place of an object's own, as `readSnapshot` found them. Fires nothing.
+    void replaceBodies(uint32_t object, ObjectSnapshot&& snapshot);
 
     [[nodiscard]] bool isAlive(ObjectId id) const;
     [[nodiscard]] ObjectId idOf(uint32_t object) const;

@@ -61,7 +61,7 @@ void Breaker::step(double time, float dt, bool inStep) {
     inStep_ = inStep;
     ignored_.releaseSeparated();
     store_.readPoses();
-    if (store_.bodyCount() == 0) return;
+    if (store_.bodyCount() == 0 || !options_.authority) return;
     contacts_.gather(world_, dt, inStep);
     findMeetings();
     for (const Meeting& meeting : meetings_) applyMeeting(meeting);
@@ -361,12 +361,23 @@ void Breaker::followPins(uint32_t objectIndex, double time) {
     for (const uint32_t island : islands) splitAndReport(island, 0, {});
 }
 
-void Breaker::removeObject(uint32_t object) {
+void Breaker::forgetOverlaps(uint32_t object) {
     for (const uint32_t island : store_.object(object).bodies) {
         partners_.clear();
         ignored_.remove(*store_.island(island).body, partners_);
     }
+}
+
+void Breaker::removeObject(uint32_t object) {
+    forgetOverlaps(object);
     store_.remove(object);
+}
+
+void Breaker::replaceObject(uint32_t object, ObjectSnapshot&& snapshot) {
+    forgetOverlaps(object);
+    store_.replaceBodies(object, std::move(snapshot));
+    for (const uint32_t island : store_.object(object).bodies) newcomers_.push_back({0, island});
+    settleOverlaps();
 }
 
 std::span<const BreakEvent> Breaker::takeEvents() {

@@ -28,6 +28,7 @@ class Breaker {
     /// Brings the bodies of an object in line with pins set or lifted.
     void followPins(uint32_t object, double time);
     void removeObject(uint32_t object);
+    void replaceObject(uint32_t object, ObjectSnapshot&& snapshot);
 
     std::span<const BreakEvent> takeEvents();
     [[nodiscard]] size_t ignoredPairCount() const { return ignored_.size(); }
@@ -51,6 +52,7 @@ class Breaker {
     void addEvent(BreakEvent event, uint32_t island, uint32_t fragment, uint32_t bodies);
     void joinGroup(uint32_t parent, std::span<const uint32_t> bodies);
     void settleOverlaps();
+    void forgetOverlaps(uint32_t object);
 
     btDynamicsWorld& world_;
     BodyStore& store_;

@@ -12,6 +12,7 @@
 #include "bullet/body_store.h"
 #include "bullet/breaker.h"
 #include "bullet/convert.h"
+#include "core/structure_bytes.h"
 
 namespace sherd {
 namespace {
@@ -42,6 +43,8 @@ Result<void> checkSpawn(const std::shared_ptr<const Asset>& asset, const RigidPo
     }
     return {};
 }
+
+constexpr uint32_t kSavedObject = 0x31484453;  // "SDH1": what it is, and its version
 
 constexpr float kTouch = 1e-3F;  // of the object's diagonal: how near is touching
 
@@ -219,6 +222,36 @@ uint32_t DestructionWorld::anchorInBox(ObjectId object, const glm::vec3& low,
         });
     impl_->breaker.followPins(object.index, impl_->time);
     return count;
+}
+
+std::vector<uint8_t> DestructionWorld::save(ObjectId object) const {
+    std::vector<uint8_t> bytes;
+    if (!impl_->store.isAlive(object)) return bytes;
+    ByteWriter to(bytes);
+    const Object& saved = impl_->store.object(object.index);
+    to.u32(kSavedObject);
+    to.f64(impl_->time);
+    writeStructure(*saved.structure, to);
+    to.u32(uint32_t(saved.bodies.size()));
+    for (const uint32_t island : saved.bodies) writeBody(impl_->store.island(island), to);
+    return bytes;
+}
+
+Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t> bytes) {
+    if (!impl_->store.isAlive(object))
+        return fail(ErrorCode::badArgument, "the object is gone", "object");
+    ByteReader from(bytes);
+    if (from.u32() != kSavedObject)
+        return fail(ErrorCode::invalidData, "these are not the bytes of a saved object", "bytes");
+    const double time = from.f64();
+    auto snapshot = readSnapshot(impl_->store.object(object.index).shapes->asset(), from);
+    if (!snapshot) return tl::unexpected<Error>(snapshot.error());
+    if (!from.isAtEnd() || !std::isfinite(time))
+        return fail(ErrorCode::invalidData, "the saved object does not end where it should",
+                    "bytes");
+    for (BodySnapshot& body : snapshot->bodies) body.bornAt += impl_->time - time;
+    impl_->breaker.replaceObject(object.index, std::move(*snapshot));
+    return {};
 }
 
 void DestructionWorld::afterStep(float dt) {

@@ -28,6 +28,8 @@ class Structure {
     }
     /// What is left of a bond: 1 sound, 0 broken.
     [[nodiscard]] float health(uint32_t bond) const { return lost_.empty() ? 1 : 1 - lost_[bond]; }
+    /// What it has lost, to the bit: 0 sound, 1 broken.
+    [[nodiscard]] float lost(uint32_t bond) const { return lost_.empty() ? 0 : lost_[bond]; }
     [[nodiscard]] bool isBroken(uint32_t bond) const { return !lost_.empty() && lost_[bond] >= 1; }
     /// Whether anything but sound bonds and the intact object was ever seen.
     [[nodiscard]] bool isDamaged() const { return !lost_.empty(); }

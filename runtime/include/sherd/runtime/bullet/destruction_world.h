@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "sherd/formats/result.h"
 #include "sherd/runtime/area_damage.h"
@@ -31,6 +32,8 @@ struct WorldOptions {
     /// Pieces released deeper inside each other than this share of the object's diagonal ignore
     /// each other until they are apart. > 0; smaller lets fewer touching pairs be ignored.
     float overlapTolerance = 1e-5F;
+    /// False: contacts break nothing by themselves; another world decides, and sends its breaks.
+    bool authority = true;
     /// Break events kept until `events` is called; later ones are dropped. >= 1
     uint32_t maxPendingEvents = 65536;
 };
@@ -115,6 +118,13 @@ class DestructionWorld {
     bool anchor(ObjectId object, uint32_t fragment, bool anchored = true);
     /// All leaves whose colliders reach into a box of the world. Returns how many.
     uint32_t anchorInBox(ObjectId object, const glm::vec3& low, const glm::vec3& high);
+
+    /// The state of an object: its damage, and its bodies with their motion, to the bit. For saved
+    /// games, and for whoever joins late: small when little is broken.
+    [[nodiscard]] std::vector<uint8_t> save(ObjectId object) const;
+    /// Gives an object that was spawned of the same bake the state another one had. Fires no
+    /// events. Bytes are checked before anything changes; those of another bake are refused.
+    Result<void> restore(ObjectId object, std::span<const uint8_t> bytes);
 
     /// Only for `Drive::manual`: measures the hits of the substep just done and breaks what they
     /// break. Call right after every `world.stepSimulation(dt, 0)`; `dt` in seconds, > 0.
