@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
+#include <limits>
 #include <tuple>
 
 #include "core/bond_price.h"
@@ -114,15 +114,17 @@ class Spreading {
     const Hit& hit_;
     const DamageOptions& options_;
     uint32_t divided_ = kNone;  ///< standing, but seen as its children
-    float radius_ = 0;          ///< of the struck fragment, metres
+    float radius_ = 0;          ///< of the struck fragment, half of its diagonal, metres
     HitSolver::Scratch& scratch_;
 };
 
 /// From the struck fragment on, through every seam the stress can break.
 void Spreading::findSeams(uint32_t target) {
     scratch_.nextRound(structure_.asset().fragmentCount());
-    const double volume = double(structure_.asset().fragment(target).volume);
-    radius_ = float(std::cbrt(std::max(volume, 1e-30) * 3 / (4 * std::numbers::pi)));
+    // Half across, not of equal volume: thin walls guide what strikes them farther than it would go
+    // in a lump.
+    const auto& [low, high] = structure_.asset().box(target);
+    radius_ = std::max(0.5F * glm::distance(low, high), std::numeric_limits<float>::min());
     if (divided_ == kNone) {
         scratch_.reach(target);
     } else {
