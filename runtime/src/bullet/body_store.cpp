@@ -120,6 +120,8 @@ void BodyStore::makeBody(uint32_t index, bool isFixed) {
     IslandBody& island = islands_[index];
     island.body = std::make_unique<btRigidBody>(describe(island, isFixed));
     island.body->setUserIndex3(int(index));
+    island.seen = island.body->getWorldTransform();
+    island.isStill = false;
     addToWorld(island);
     ++bodyCount_;
     posesListed_ = false;
@@ -137,6 +139,8 @@ void BodyStore::reshape(uint32_t index, bool isFixed) {
     body.setCollisionShape(info.m_collisionShape);
     body.setWorldTransform(info.m_startWorldTransform);
     body.setInterpolationWorldTransform(info.m_startWorldTransform);
+    island.seen = info.m_startWorldTransform;
+    island.isStill = false;
     body.setMassProps(info.m_mass, info.m_localInertia);
     if (isFixed) {
         body.setLinearVelocity(btVector3(0, 0, 0));
@@ -241,10 +245,19 @@ std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inS
 void BodyStore::readPoses() {
     for (IslandBody& island : islands_) {
         if (!island.body) continue;
+        const btTransform& now = island.body->getWorldTransform();
+        if (now == island.seen) {  // what sleeps costs a look
+            if (!island.isStill) posesListed_ = false;
+            island.previous = island.pose;
+            island.isStill = true;
+            continue;
+        }
         island.previous = island.pose;
-        island.pose = toPose(island.body->getWorldTransform() * island.frame.inverse());
+        island.pose = toPose(now * island.frame.inverse());
+        island.seen = now;
+        island.isStill = false;
+        posesListed_ = false;
     }
-    posesListed_ = false;
 }
 
 std::span<const FragmentPose> BodyStore::poses() {
@@ -294,6 +307,7 @@ void BodyStore::replaceBodies(uint32_t index, ObjectSnapshot&& snapshot) {
         btRigidBody& body = *island.body;
         body.setWorldTransform(from.transform);
         body.setInterpolationWorldTransform(from.transform);
+        island.seen = from.transform;
         body.setLinearVelocity(from.linear);
         body.setAngularVelocity(from.angular);
         body.setInterpolationLinearVelocity(from.linear);

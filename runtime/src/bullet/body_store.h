@@ -27,6 +27,8 @@ struct IslandBody {
     double bornAt = 0;                ///< s
     RigidPose pose;                   ///< of the object frame
     RigidPose previous;
+    btTransform seen;      ///< of the body, when `pose` was read from it
+    bool isStill = false;  ///< `previous` is `pose`
 };
 
 struct Object {
