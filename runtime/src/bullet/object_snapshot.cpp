@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bullet/body_store.h"
 #include "core/structure_bytes.h"
 
 namespace sherd {
@@ -43,20 +42,27 @@ bool isSound(const BodySnapshot& body) {
         for (int j = 0; j < 3; ++j)
             if (!(std::abs(turn[i][j] - (i == j ? 1 : 0)) < 1e-3F)) return false;
     return isFinite(body.transform.getOrigin()) && isFinite(body.linear) &&
-           isFinite(body.angular) && isSound(body.pose) && isSound(body.previous) &&
-           !std::isnan(body.bornAt) && body.activation >= ACTIVE_TAG &&
+           isFinite(body.angular) && body.activation >= ACTIVE_TAG &&
            body.activation <= DISABLE_SIMULATION && body.quietFor >= 0;
+}
+bool isSound(const IslandWorld::SavedIsland& island) {
+    return isSound(island.pose) && isSound(island.previous) && !std::isnan(island.bornAt);
+}
+
+IslandWorld::SavedIsland readIsland(ByteReader& from) {
+    IslandWorld::SavedIsland island;
+    for (uint32_t n = from.count(4); n > 0; --n) island.fragments.push_back(from.u32());
+    const uint8_t flags = from.u8();
+    island.isFixed = (flags & 1) != 0;
+    island.isAnchored = (flags & 2) != 0;
+    island.bornAt = from.f64();
+    island.pose = readPose(from);
+    island.previous = readPose(from);
+    return island;
 }
 
 BodySnapshot readBody(ByteReader& from) {
     BodySnapshot body;
-    for (uint32_t n = from.count(4); n > 0; --n) body.fragments.push_back(from.u32());
-    const uint8_t flags = from.u8();
-    body.isFixed = (flags & 1) != 0;
-    body.isAnchored = (flags & 2) != 0;
-    body.bornAt = from.f64();
-    body.pose = readPose(from);
-    body.previous = readPose(from);
     for (int row = 0; row < 3; ++row) body.transform.getBasis()[row] = readVector(from);
     body.transform.setOrigin(readVector(from));
     body.linear = readVector(from);
@@ -68,11 +74,10 @@ BodySnapshot readBody(ByteReader& from) {
 
 }  // namespace
 
-void writeBody(const IslandBody& island, ByteWriter& to) {
-    const btRigidBody& body = *island.body;
+void writeIsland(const IslandWorld::Island& island, const btRigidBody& body, ByteWriter& to) {
     to.u32(uint32_t(island.fragments.size()));
     for (const uint32_t fragment : island.fragments) to.u32(fragment);
-    to.u8(uint8_t((body.isStaticObject() ? 1 : 0) | (island.isAnchored ? 2 : 0)));
+    to.u8(uint8_t((island.isFixed ? 1 : 0) | (island.isAnchored ? 2 : 0)));
     to.f64(island.bornAt);
     write(island.pose, to);
     write(island.previous, to);
@@ -84,6 +89,18 @@ void writeBody(const IslandBody& island, ByteWriter& to) {
     to.f32(body.getDeactivationTime());
 }
 
+void restoreBody(const BodySnapshot& snapshot, btRigidBody& body) {
+    body.setWorldTransform(snapshot.transform);
+    body.setInterpolationWorldTransform(snapshot.transform);
+    body.setLinearVelocity(snapshot.linear);
+    body.setAngularVelocity(snapshot.angular);
+    body.setInterpolationLinearVelocity(snapshot.linear);
+    body.setInterpolationAngularVelocity(snapshot.angular);
+    body.updateInertiaTensor();
+    body.forceActivationState(snapshot.activation);
+    body.setDeactivationTime(snapshot.quietFor);
+}
+
 Result<ObjectSnapshot> readSnapshot(const std::shared_ptr<const Asset>& asset, ByteReader& from) {
     const auto refuse = [](const char* why) {
         return fail(ErrorCode::invalidData, std::string("the saved object is unusable: ") + why,
@@ -92,19 +109,24 @@ Result<ObjectSnapshot> readSnapshot(const std::shared_ptr<const Asset>& asset, B
     ObjectSnapshot snapshot;
     if (const char* why = readStructure(asset, from, snapshot.structure)) return refuse(why);
     constexpr size_t kLeastBytes = 140;  // of a body
-    for (uint32_t n = from.count(kLeastBytes); n > 0; --n)
+    for (uint32_t n = from.count(kLeastBytes); n > 0; --n) {
+        snapshot.islands.push_back(readIsland(from));
         snapshot.bodies.push_back(readBody(from));
+    }
     if (from.isShort()) return refuse("it ends too early");
     // Every fragment that stands is part of one body.
     uint32_t leaves = 0;
     std::vector<uint8_t> seen(asset->fragmentCount(), 0);
-    for (const BodySnapshot& body : snapshot.bodies) {
+    for (const BodySnapshot& body : snapshot.bodies)
         if (!isSound(body)) return refuse("a body's numbers are none");
-        if (body.fragments.empty() || !std::is_sorted(body.fragments.begin(), body.fragments.end()))
-            return refuse("a body's fragments are not in order");
-        for (const uint32_t f : body.fragments) {
+    for (const IslandWorld::SavedIsland& island : snapshot.islands) {
+        const std::vector<uint32_t>& fragments = island.fragments;
+        if (!isSound(island)) return refuse("an island's numbers are none");
+        if (fragments.empty() || !std::is_sorted(fragments.begin(), fragments.end()))
+            return refuse("an island's fragments are not in order");
+        for (const uint32_t f : fragments) {
             if (f >= asset->fragmentCount() || seen[f] != 0 || !snapshot.structure->stands(f))
-                return refuse("a body holds a fragment that does not stand, or is in two");
+                return refuse("an island holds a fragment that does not stand, or is in two");
             seen[f] = 1;
             leaves += asset->graph().leavesOf(f).count;
         }

@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <LinearMath/btTransform.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <optional>
 #include <vector>
 
 #include "core/byte_stream.h"
 #include "sherd/formats/result.h"
-#include "sherd/runtime/structure.h"
+#include "sherd/runtime/island_world.h"
 
 namespace sherd {
 
-struct IslandBody;
-
-/// One body as it was, to the bit.
+/// A body's own state, to the bit, beside what its island knows.
 struct BodySnapshot {
-    std::vector<uint32_t> fragments;  ///< ascending
-    bool isFixed = false;
-    bool isAnchored = false;
-    double bornAt = 0;
-    RigidPose pose, previous;
     btTransform transform;
     btVector3 linear{0, 0, 0}, angular{0, 0, 0};
     int activation = 0;
@@ -29,13 +22,17 @@ struct BodySnapshot {
 
 struct ObjectSnapshot {
     std::optional<Structure> structure;
-    std::vector<BodySnapshot> bodies;
+    std::vector<IslandWorld::SavedIsland> islands;
+    std::vector<BodySnapshot> bodies;  ///< of the islands, in their order
 };
 
-void writeBody(const IslandBody& island, ByteWriter& to);
+void writeIsland(const IslandWorld::Island& island, const btRigidBody& body, ByteWriter& to);
 
-/// What `writeStructure` and a count of `writeBody` have written, of an object of this asset; or
+/// What `writeStructure` and a count of `writeIsland` have written, of an object of this asset; or
 /// what is wrong with it.
 Result<ObjectSnapshot> readSnapshot(const std::shared_ptr<const Asset>& asset, ByteReader& from);
+
+/// Gives a body that was made of the island the rest of its state.
+void restoreBody(const BodySnapshot& snapshot, btRigidBody& body);
 
 }  // namespace sherd

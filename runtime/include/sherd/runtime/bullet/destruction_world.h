@@ -9,10 +9,7 @@
 #include <vector>
 
 #include "sherd/formats/result.h"
-#include "sherd/runtime/area_damage.h"
-#include "sherd/runtime/asset.h"
-#include "sherd/runtime/events.h"
-#include "sherd/runtime/structure.h"
+#include "sherd/runtime/island_world.h"
 
 class btCollisionObject;
 class btDynamicsWorld;
@@ -49,15 +46,6 @@ struct SpawnOptions {
     int collisionMask = 0;   ///< Bullet's defaults
     /// Pins every leaf that touches something static where the object is put, a wall on its ground.
     bool anchorToStatic = false;
-};
-
-/// A hit that Bullet's contacts do not show: a ray, a kinematic blade, the game's own physics.
-struct ReportedHit {
-    glm::vec3 point{0.0F};   ///< world, metres
-    glm::vec3 normal{0.0F};  ///< unit, pointing into what is hit; for the event
-    float energy = 0;        ///< J, at most what is consumed
-    float speed = 0;         ///< m/s, which gives the stress
-    float impulse = 0;       ///< N s, for the event and the minimum of the options
 };
 
 /// What a Bullet body of Sherd's stands for.
