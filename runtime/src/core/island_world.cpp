@@ -226,6 +226,10 @@ void IslandWorld::moveTo(uint32_t index, const RigidPose& pose) {
     posesListed_ = false;
 }
 
+void IslandWorld::follow(uint32_t island) {
+    moveTo(island, bodies_.motion(island).pose * inverse(islands_[island].frame));
+}
+
 std::span<const FragmentPose> IslandWorld::poses() {
     if (posesListed_) return poses_;
     poses_.clear();

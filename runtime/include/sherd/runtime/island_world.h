@@ -100,6 +100,8 @@ class IslandWorld {
     [[nodiscard]] double time() const { return time_; }
     /// A substep is over: where an island's object frame is now.
     void moveTo(uint32_t island, const RigidPose& pose);
+    /// Asks the engine where the island is.
+    void follow(uint32_t island);
     void stayPut(uint32_t island) { islands_[island].previous = islands_[island].pose; }
     std::span<const FragmentPose> poses();
 
