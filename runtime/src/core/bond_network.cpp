@@ -117,6 +117,8 @@ void BondNetwork::addEdges(const Structure& structure) {
     single_.centers.clear();
     for (const uint32_t fragment : fragments_) single_.centers.push_back(centerOf(fragment));
     single_.edges.clear();
+    single_.edges.reserve(links_.size());
+    network_.edges.reserve(links_.size());
     for (const Link& link : links_) {
         const BondGraph::Bond& bond = graph.bond(link.bond);
         const double area = double(bond.area) / (unit_ * unit_);

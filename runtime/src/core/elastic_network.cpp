@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/elastic_network.h"
 
-#include <array>
-#include <cmath>
-
-#include "core/cholesky.h"
+#include <glm/matrix.hpp>
 
 namespace sherd {
 namespace {
@@ -28,29 +25,24 @@ void addBlock(double* m, uint32_t n, const Stiffness& s, const glm::dmat3& lower
     }
 }
 
+/// By the Schur complement of the shifts. Where rounding has eaten that, the turns count as if they
+/// had nothing to do with the shifts: still positive definite.
 Stiffness inverseOf(const Stiffness& s) {
-    std::array<double, 36> m{};
-    addBlock(m.data(), 6, s, glm::transpose(s.coupling));
-    factorCholesky(m.data(), 6);
+    constexpr double kEaten = 1e-13;
+    const glm::dmat3 linear = glm::inverse(s.linear);
+    const glm::dmat3 shifts = linear * s.coupling;  // that a turn makes
+    glm::dmat3 left = s.angular - glm::transpose(s.coupling) * shifts;
+    for (int k = 0; k < 3; ++k)
+        if (!(left[k][k] > kEaten * s.angular[k][k])) left = s.angular;
     Stiffness inverse;
-    for (int column = 0; column < 6; ++column) {
-        std::array<double, 6> x{};
-        x[size_t(column)] = 1;
-        solveCholesky(m.data(), 6, x.data());
-        for (int row = 0; row < 3; ++row) {
-            if (column < 3) {
-                inverse.linear[column][row] = x[size_t(row)];
-            } else {
-                inverse.coupling[column - 3][row] = x[size_t(row)];
-                inverse.angular[column - 3][row] = x[size_t(row) + 3];
-            }
-        }
-    }
+    inverse.angular = glm::inverse(left);
+    inverse.coupling = -(shifts * inverse.angular);
+    inverse.linear = linear - inverse.coupling * glm::transpose(shifts);
     return inverse;
 }
 
 /// What a load on node a must be to hold it against the edge.
-Screw wrenchAgainst(const ElasticNetwork::Edge& edge, std::span<const Screw> x) {
+inline Screw wrenchAgainst(const ElasticNetwork::Edge& edge, std::span<const Screw> x) {
     Screw stretch = twistAt(x[edge.a], edge.armA);
     if (edge.b != ElasticNetwork::kGround) {
         const Screw other = twistAt(x[edge.b], edge.armB);

@@ -189,6 +189,7 @@ void StressSolver::reset(const Structure& structure, std::span<const uint32_t> f
     s.bonds.reset(structure, fragments);
     s.equilibrium.reset(s.bonds.network());
     s.bodies.clear();
+    s.bodies.reserve(s.bonds.fragments().size());
     for (const uint32_t f : s.bonds.fragments()) {
         const Fragment& fragment = s.asset->fragment(f);
         s.bodies.push_back({double(fragment.mass), glm::dvec3(fragment.centerOfMass)});
@@ -197,6 +198,7 @@ void StressSolver::reset(const Structure& structure, std::span<const uint32_t> f
     s.load.assign(s.bodies.size(), {});
     s.recallMotion();
     s.carried.clear();
+    s.carried.reserve(s.bonds.links().size());
     s.linkOf.assign(s.graph->bonds().size(), BondNetwork::kNone);
     for (const BondNetwork::Link& link : s.bonds.links()) {
         s.linkOf[link.bond] = uint32_t(s.carried.size());
