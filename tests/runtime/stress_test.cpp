@@ -3,10 +3,13 @@
 
 #include <doctest/doctest.h>
 
-#include <cstring>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "sherd/runtime/structure.h"
 #include "support/allocation_count.h"
@@ -339,6 +342,23 @@ TEST_CASE("stress: forces on every fragment balance, of uneven bonds and many be
     CHECK(imbalance(structure, solver, gravity) < 1e-5);
 }
 
+TEST_CASE(
+    "stress: a sliver of a bond beside sound ones is not overloaded, one that bears alone is") {
+    FractureSet set = makeSet({.count = {3, 3, 1}, .anchor = onTheGround});
+    const auto onlyY = [](const Bond& bond) { return std::abs(bond.normal.y) > 0.5F; };
+    for (Bond& bond : set.bonds)
+        if (!onlyY(bond)) bond.area = 1e-15F;
+    const Structure structure = stand(set);
+    const StressSolver sound = solved(structure, {3, -kGravity, 1});
+    CHECK(sound.overloaded().empty());
+    for (Bond& bond : set.bonds)
+        if (bond.centroid.y > 0 && onlyY(bond) && bond.b >= 0) bond.area = 1e-15F;
+    const Structure weak = stand(std::move(set));
+    const StressSolver overloaded = solved(weak, {3, -kGravity, 1});
+    CHECK(overloaded.overload(bondOf(weak, 4, 7)) > 100);
+    CHECK(imbalance(weak, overloaded, {3, -kGravity, 1}) < 1e-5);
+}
+
 TEST_CASE("stress: opened fragments and whole ones stand beside each other") {
     FractureSet set = test::makeBoxFracture({.level1 = {2, 2, 1}, .level2 = {2, 2, 2}});
     for (Bond anchor : std::vector<Bond>(set.bonds)) {
@@ -466,10 +486,10 @@ TEST_CASE("stress: no bond is called overloaded before the forces balance") {
 TEST_CASE("stress: in pieces of five iterations, at once, and again: the same bits") {
     const Structure structure = stand({.count = {9, 7, 2}, .anchor = onTheGround});
     std::vector<StressSolver> solvers(3);
-    for (size_t i = 0; i < solvers.size(); ++i) {
-        solvers[i].reset(structure, standingOf(structure));
-        solvers[i].setGravity({1, -kGravity, 0.5F});
-        solvers[i].addForce(100, {1e4F, 2e4F, 0}, {1, 2, 0});
+    for (StressSolver& solver : solvers) {
+        solver.reset(structure, standingOf(structure));
+        solver.setGravity({1, -kGravity, 0.5F});
+        solver.addForce(100, {1e4F, 2e4F, 0}, {1, 2, 0});
     }
     CHECK(solve(solvers[0], 5));
     CHECK(solvers[1].step(100000));

@@ -25,13 +25,12 @@ glm::dvec3 unitNormal(const BondGraph::Bond& bond, const glm::dvec3& fromAToB) {
 Stiffness stiffnessOf(double area, double meanArea, double distance, const glm::dvec3& normal) {
     constexpr double kShear = 0.4;  // shear modulus over Young's at Poisson's ratio 1/4
     constexpr double kThick = 0.1;  // of the bond's width; centres may lie in it
-    const double held = std::max(area, 1e-6 * meanArea);
-    const double length = std::max(distance, kThick * std::sqrt(held));
-    const double bending = held * std::max(held, 1e-3 * meanArea) / 12;
+    const double length = std::max(distance, kThick * std::sqrt(area));
+    const double bending = area * std::max(area, 1e-3 * meanArea) / 12;
     const glm::dmat3 along = glm::outerProduct(normal, normal);
     const glm::dmat3 across = glm::dmat3(1.0) - along;
     Stiffness s;
-    s.linear = held / length * (along + kShear * across);
+    s.linear = area / length * (along + kShear * across);
     s.angular = bending / length * (2 * kShear * along + across);
     return s;
 }
@@ -67,7 +66,10 @@ void BondNetwork::findLinks(const Structure& structure, std::span<const uint32_t
                 const uint32_t other =
                     isAnchor ? kGround : nodeOf_[structure.fragmentAt(edge.other)];
                 if (other == node || (!isAnchor && other == kNone)) continue;
-                links_.push_back({edge.bond, node, other});
+                Link& link = links_.emplace_back();
+                link.bond = edge.bond;
+                link.a = node;
+                link.b = other;
             }
         }
     }
@@ -106,9 +108,15 @@ void BondNetwork::keepGrounded() {
 void BondNetwork::addEdges(const Structure& structure) {
     const BondGraph& graph = structure.graph();
     double meanArea = 0;
-    for (const Link& link : links_) meanArea += double(graph.bond(link.bond).area);
+    for (Link& link : links_) {
+        link.area = double(graph.bond(link.bond).area);
+        meanArea += link.area;
+    }
     meanArea /= double(std::max<size_t>(links_.size(), 1));
     unit_ = meanArea > 0 ? std::ldexp(1.0, std::ilogb(std::sqrt(meanArea))) : 1;
+    // Slivers of any smallness come out of cutting. They would carry next to nothing, and rounding
+    // is large against that.
+    for (Link& link : links_) link.area = std::max(link.area, 1e-6 * meanArea);
     meanArea /= unit_ * unit_;
 
     const auto centerOf = [&](uint32_t fragment) {
@@ -119,9 +127,9 @@ void BondNetwork::addEdges(const Structure& structure) {
     single_.edges.clear();
     single_.edges.reserve(links_.size());
     network_.edges.reserve(links_.size());
-    for (const Link& link : links_) {
+    for (Link& link : links_) {
         const BondGraph::Bond& bond = graph.bond(link.bond);
-        const double area = double(bond.area) / (unit_ * unit_);
+        const double area = link.area / (unit_ * unit_);
         const glm::dvec3 place = glm::dvec3(bond.centroid) / unit_;
         ElasticNetwork::Edge& edge = single_.edges.emplace_back();
         edge.a = link.a;
@@ -132,10 +140,10 @@ void BondNetwork::addEdges(const Structure& structure) {
             edge.armB = place - single_.centers[link.b];
             fromAToB -= edge.armB;
         }
-        const glm::dvec3 normal = unitNormal(bond, fromAToB);
+        link.normal = unitNormal(bond, fromAToB);
         const double distance =
-            std::abs(glm::dot(edge.armA, normal)) + std::abs(glm::dot(edge.armB, normal));
-        edge.stiffness = stiffnessOf(area, meanArea, distance, normal);
+            std::abs(glm::dot(edge.armA, link.normal)) + std::abs(glm::dot(edge.armB, link.normal));
+        edge.stiffness = stiffnessOf(area, meanArea, distance, link.normal);
         if (edge.a > edge.b) {
             std::swap(edge.a, edge.b);
             std::swap(edge.armA, edge.armB);

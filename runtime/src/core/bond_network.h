@@ -30,7 +30,9 @@ class BondNetwork {
     /// One that is not broken and joins two nodes, or one and the world.
     struct Link {
         uint32_t bond;
-        uint32_t a, b;  ///< the nodes of its leaves a and b; b may be ElasticNetwork::kGround
+        uint32_t a, b;    ///< the nodes of its leaves a and b; b may be ElasticNetwork::kGround
+        double area = 0;  ///< that counts, m^2: a millionth of the mean at least
+        glm::dvec3 normal{0.0};  ///< unit, from a to b
     };
     [[nodiscard]] std::span<const Link> links() const { return links_; }
     /// What the bond does to its leaf a about its centroid when the nodes move so: N and N x units

@@ -48,11 +48,10 @@ float ratio(double stress, double held) {
 
 /// A square of the area stands for the bond: section modulus a^3/6, and torsion of 0.208 a^3 (S. P.
 /// Timoshenko, J. N. Goodier, "Theory of Elasticity" (1970), 109).
-float overloadOf(const BondGraph::Bond& bond, const Resistance& resistance, const Screw& onA) {
-    const double area = double(bond.area);
+float overloadOf(const BondNetwork::Link& link, const Resistance& resistance, const Screw& onA) {
+    const double area = link.area;
+    const glm::dvec3& normal = link.normal;
     const double cube = area * std::sqrt(area);
-    const double length = glm::length(glm::dvec3(bond.normal));
-    const glm::dvec3 normal = length > 1e-6 ? glm::dvec3(bond.normal) / length : glm::dvec3(0);
     const double pull = glm::dot(onA.linear, normal);
     const double twist = glm::dot(onA.angular, normal);
     const double across = glm::length(onA.linear - pull * normal);
@@ -81,7 +80,6 @@ struct StressSolver::State {
     };
 
     const Asset* asset = nullptr;
-    const BondGraph* graph = nullptr;
     BondNetwork bonds;
     Equilibrium equilibrium;
     glm::dvec3 gravity{0.0};
@@ -158,12 +156,12 @@ void StressSolver::State::evaluate() {
     isEvaluated = true;
     overloaded.clear();
     for (size_t l = 0; l < carried.size(); ++l) {
-        const uint32_t bond = bonds.links()[l].bond;
+        const BondNetwork::Link& link = bonds.links()[l];
         Carried& at = carried[l];
         at.onA = bonds.wrenchOf(l, equilibrium.motion());
         at.onA.angular *= bonds.unit();
-        at.overload = overloadOf(graph->bond(bond), at.resistance, at.onA);
-        if (at.overload > 1) overloaded.push_back({bond, at.overload});
+        at.overload = overloadOf(link, at.resistance, at.onA);
+        if (at.overload > 1) overloaded.push_back({link.bond, at.overload});
     }
     std::sort(overloaded.begin(), overloaded.end(),
               [](const OverloadedBond& x, const OverloadedBond& y) {
@@ -185,7 +183,6 @@ void StressSolver::reset(const Structure& structure, std::span<const uint32_t> f
         s.known.clear();
     }
     s.asset = &structure.asset();
-    s.graph = &structure.graph();
     s.bonds.reset(structure, fragments);
     s.equilibrium.reset(s.bonds.network());
     s.bodies.clear();
@@ -199,7 +196,7 @@ void StressSolver::reset(const Structure& structure, std::span<const uint32_t> f
     s.recallMotion();
     s.carried.clear();
     s.carried.reserve(s.bonds.links().size());
-    s.linkOf.assign(s.graph->bonds().size(), BondNetwork::kNone);
+    s.linkOf.assign(structure.graph().bonds().size(), BondNetwork::kNone);
     for (const BondNetwork::Link& link : s.bonds.links()) {
         s.linkOf[link.bond] = uint32_t(s.carried.size());
         s.carried.push_back({{}, resistanceOf(structure, link.bond, options), 0});
