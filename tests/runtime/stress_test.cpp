@@ -8,6 +8,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -116,29 +117,39 @@ uint32_t bondOf(const Structure& structure, int a, int b) {
     return 0;
 }
 
-/// The largest force, or moment over a metre, that is left on a fragment: from what the solver says
-/// of the bonds and from the file's numbers, of the weight of the island.
+/// Of each fragment, whether it hangs together with the world.
+std::vector<bool> anchoredOf(const Structure& structure) {
+    std::vector<Structure::Island> islands;
+    structure.islandsOf(standingOf(structure), islands);
+    std::vector<bool> anchored(structure.asset().fragmentCount(), false);
+    for (const Structure::Island& island : islands)
+        for (const uint32_t f : island.fragments) anchored[f] = island.anchored;
+    return anchored;
+}
+
+/// The largest force, or moment over a metre, that is left on an anchored fragment: from what the
+/// solver says of the bonds and from the file's numbers, of their weight.
 double imbalance(const Structure& structure, const StressSolver& solver, const glm::vec3& gravity) {
     const Asset& asset = structure.asset();
     const BondGraph& graph = structure.graph();
+    const std::vector<bool> anchored = anchoredOf(structure);
     double worst = 0, weight = 0;
     for (const uint32_t f : standingOf(structure)) {
+        if (!anchored[f]) continue;
         const Fragment& fragment = asset.fragment(f);
         glm::dvec3 force = double(fragment.mass) * glm::dvec3(gravity), moment(0);
         weight += glm::length(force);
-        bool isHeld = false;
         for (uint32_t b = 0; b < graph.bonds().size(); ++b) {
             const BondGraph::Bond& bond = graph.bond(b);
             for (const auto& [leaf, sign] : {std::pair(bond.a, 1.0), std::pair(bond.b, -1.0)}) {
                 if (leaf == BondGraph::kWorld || structure.fragmentAt(leaf) != f) continue;
                 const BondForce at = solver.force(b);
                 const glm::dvec3 arm = glm::dvec3(bond.centroid - fragment.centerOfMass);
-                isHeld = isHeld || at.force != glm::vec3(0);
                 force += sign * glm::dvec3(at.force);
                 moment += sign * (glm::dvec3(at.moment) + glm::cross(arm, glm::dvec3(at.force)));
             }
         }
-        if (isHeld) worst = std::max({worst, glm::length(force), glm::length(moment)});
+        worst = std::max({worst, glm::length(force), glm::length(moment)});
     }
     return weight > 0 ? worst / weight : worst;
 }
@@ -156,16 +167,6 @@ uint32_t collapse(Structure& structure, StressSolver& solver, const glm::vec3& g
         count += uint32_t(broken.size());
     } while (!broken.empty());
     return count;
-}
-
-/// Of each fragment, whether it hangs together with the world.
-std::vector<bool> anchoredOf(const Structure& structure) {
-    std::vector<Structure::Island> islands;
-    structure.islandsOf(standingOf(structure), islands);
-    std::vector<bool> anchored(structure.asset().fragmentCount(), false);
-    for (const Structure::Island& island : islands)
-        for (const uint32_t f : island.fragments) anchored[f] = island.anchored;
-    return anchored;
 }
 
 void breakAround(Structure& structure, uint32_t fragment) {
@@ -275,7 +276,7 @@ TEST_CASE("stress: a hanging chain carries at each bond the weight below it") {
                                            return glm::ivec3(0, at.y == n - 1 ? 1 : 0, 0);
                                        }});
     const StressSolver solver = solved(structure);
-    MESSAGE("iterations: " << solver.iterationCount());
+    CHECK(solver.iterationCount() < 100);
     for (int below = 1; below <= n; ++below) {
         const uint32_t bond = bondOf(structure, below, below < n ? below + 1 : -1);
         CHECK(solver.force(bond).force.y == doctest::Approx(1e4 * below).epsilon(1e-3));
@@ -291,7 +292,7 @@ TEST_CASE("stress: a cantilever's moment at its root is weight times arm") {
                                                return glm::ivec3(at.x == 0 ? -1 : 0, 0, 0);
                                            }});
         const StressSolver solver = solved(structure);
-        MESSAGE("iterations: " << solver.iterationCount());
+        CHECK(solver.iterationCount() < 200);  // 1574 with diagonal blocks as the preconditioner
         const uint32_t root = bondOf(structure, 1, -1);
         const double weight = 1e4 * n;
         CHECK(solver.force(root).force.y == doctest::Approx(weight).epsilon(1e-3));
@@ -420,7 +421,6 @@ TEST_CASE("stress: options scale what bonds hold, level by level, and damage tak
 TEST_CASE("stress: an intact wall stands for ever") {
     Structure structure = stand({.count = {24, 12, 1}, .strength = 1e5F, .anchor = onTheGround});
     StressSolver solver = solved(structure);
-    MESSAGE("iterations: " << solver.iterationCount());
     CHECK(solver.overloaded().empty());
     CHECK(imbalance(structure, solver, {0, -kGravity, 0}) < 1e-5);
     for (int frame = 0; frame < 10; ++frame) {
@@ -553,7 +553,41 @@ TEST_CASE("stress: what one broken bond changes is found in fewer iterations tha
     structure.breakBond(bondOf(structure, 500, 501));
     solver.reset(structure, standingOf(structure));
     CHECK(solve(solver));
-    MESSAGE("iterations: " << fromNothing << ", then " << solver.iterationCount());
-    CHECK(solver.iterationCount() < fromNothing);
+    CHECK(fromNothing < 40);
+    CHECK(solver.iterationCount() < fromNothing / 2);
     CHECK(imbalance(structure, solver, {0, -kGravity, 0}) < 1e-5);
+}
+
+TEST_CASE("stress: whatever is broken and opened at random, what is anchored balances") {
+    const glm::vec3 gravity{2, -kGravity, 1};
+    StressSolver solver;  // one for all, as a game would keep it
+    for (uint32_t seed = 1; seed <= 100; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> unit(0, 1);
+        FractureSet set = test::makeBoxFracture({.level1 = {2, 3, 2}, .level2 = {2, 2, 1}});
+        for (const Bond& bond : std::vector<Bond>(set.bonds)) {
+            if (unit(random) > 0.1F) continue;
+            Bond anchor = bond;
+            anchor.b = -1;
+            set.bonds.push_back(anchor);
+        }
+        for (Bond& bond : set.bonds) bond.area *= std::pow(10.0F, -4 * unit(random));
+        Structure structure(Asset::fromFractureSet(std::move(set)).value());
+        structure.open(0);
+        for (uint32_t f = 1; f <= 12; ++f)
+            if (unit(random) < 0.5F) structure.open(f);
+        const float share = unit(random);
+        for (uint32_t b = 0; b < structure.graph().bonds().size(); ++b)
+            if (unit(random) < share) structure.breakBond(b);
+        solver.reset(structure, standingOf(structure));
+        solver.setGravity(gravity);
+        CHECK(solver.step(500));
+        CHECK(imbalance(structure, solver, gravity) < 1e-4);
+        const std::vector<bool> anchored = anchoredOf(structure);
+        for (uint32_t b = 0; b < structure.graph().bonds().size(); ++b) {
+            const bool isAnchored = anchored[structure.fragmentAt(structure.graph().bond(b).a)];
+            if (structure.isBroken(b) || !isAnchored) CHECK(solver.overload(b) == 0);
+        }
+    }
 }

@@ -19,9 +19,9 @@ glm::dvec3 unitNormal(const BondGraph::Bond& bond, const glm::dvec3& fromAToB) {
 }
 
 /// Of a bar of square section as long as two centres are apart along the normal, with Young's
-/// modulus 1: which one does not matter for the forces. Bonds are far from equal, so the smallest
-/// count for a little more: a millionth of the mean in tension, a thousandth of it in bending,
-/// where area counts twice. The stress they get by it stays below that of the others.
+/// modulus 1: which one does not matter for the forces. In bending, where area counts twice, the
+/// smallest bonds count for a thousandth of the mean area: the stress they get by it stays below
+/// that of the others.
 Stiffness stiffnessOf(double area, double meanArea, double distance, const glm::dvec3& normal) {
     constexpr double kShear = 0.4;  // shear modulus over Young's at Poisson's ratio 1/4
     constexpr double kThick = 0.1;  // of the bond's width; centres may lie in it

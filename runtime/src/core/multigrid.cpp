@@ -9,7 +9,7 @@
 //   wall 100 x 50                           333         49         20         13
 //   wall 100 x 50, rough                  >5000        489        182         70
 //   tower 5 x 200 x 5, rough              >5000        306         99         35
-// at 1, 3, 5, and 6 times the price of an iteration with diagonal blocks only.
+// at 1, 4, 6 and 7 times the price of an iteration.
 #include "core/multigrid.h"
 
 #include <algorithm>
