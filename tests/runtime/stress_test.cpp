@@ -119,11 +119,11 @@ uint32_t bondOf(const Structure& structure, int a, int b) {
 
 /// Of each fragment, whether it hangs together with the world.
 std::vector<bool> anchoredOf(const Structure& structure) {
-    std::vector<Structure::Island> islands;
-    structure.islandsOf(standingOf(structure), islands);
+    IslandFinder finder;
+    finder.find(structure, standingOf(structure));
     std::vector<bool> anchored(structure.asset().fragmentCount(), false);
-    for (const Structure::Island& island : islands)
-        for (const uint32_t f : island.fragments) anchored[f] = island.anchored;
+    for (const IslandFinder::Island& island : finder.islands())
+        for (const uint32_t f : finder.fragmentsOf(island)) anchored[f] = island.anchored;
     return anchored;
 }
 
@@ -302,6 +302,25 @@ TEST_CASE("stress: a cantilever's moment at its root is weight times arm") {
         CHECK(solver.overload(root) == doctest::Approx(overload).epsilon(2e-3));
         CHECK(imbalance(structure, solver, {0, -kGravity, 0}) < 1e-3);
     }
+}
+
+TEST_CASE("stress: a pin holds what hangs from it, and bears no matter what") {
+    Structure structure = stand(
+        {.count = {1, 5, 1}, .strength = 1, .anchor = [](const auto&) { return glm::ivec3(0); }});
+    const uint32_t top = structure.graph().leavesOf(5).first;
+    structure.pin(top, true);
+    StressSolver solver = solved(structure);
+    for (int below = 1; below < 5; ++below)
+        CHECK(solver.force(bondOf(structure, below, below + 1)).force.y ==
+              doctest::Approx(1e4 * below));
+    CHECK(solver.overloaded().size() == 4);
+    for (uint32_t b = 0; b < 4; ++b) structure.breakBond(b);
+    solver.reset(structure, standingOf(structure));
+    CHECK(solve(solver));  // a pinned fragment without a bond
+    CHECK(solver.overloaded().empty());
+    structure.pin(top, false);
+    solver.reset(structure, standingOf(structure));
+    CHECK(solver.step(1));
 }
 
 TEST_CASE("stress: a force at a point turns as it must, and comes on top of others") {

@@ -120,6 +120,8 @@ void BodyStore::makeBody(uint32_t index, bool isFixed) {
     IslandBody& island = islands_[index];
     island.body = std::make_unique<btRigidBody>(describe(island, isFixed));
     island.body->setUserIndex3(int(index));
+    island.seen = island.body->getWorldTransform();
+    island.isStill = false;
     addToWorld(island);
     ++bodyCount_;
     posesListed_ = false;
@@ -137,7 +139,13 @@ void BodyStore::reshape(uint32_t index, bool isFixed) {
     body.setCollisionShape(info.m_collisionShape);
     body.setWorldTransform(info.m_startWorldTransform);
     body.setInterpolationWorldTransform(info.m_startWorldTransform);
+    island.seen = info.m_startWorldTransform;
+    island.isStill = false;
     body.setMassProps(info.m_mass, info.m_localInertia);
+    if (isFixed) {
+        body.setLinearVelocity(btVector3(0, 0, 0));
+        body.setAngularVelocity(btVector3(0, 0, 0));
+    }
     body.updateInertiaTensor();
     body.setFriction(info.m_friction);
     body.setRestitution(info.m_restitution);
@@ -154,37 +162,38 @@ void BodyStore::removeBody(uint32_t index) {
     posesListed_ = false;
 }
 
-bool BodyStore::regroup(uint32_t index) {
+BodyStore::Change BodyStore::regroup(uint32_t index) {
     IslandBody& island = islands_[index];
     const Structure& structure = *objects_[island.object].structure;
     std::vector<uint32_t>& fragments = island.fragments;
-    isRegrouped_ = false;
+    change_ = Change::none;
     for (size_t i = 0; i < fragments.size();) {
         if (structure.stands(fragments[i])) {
             ++i;
             continue;
         }
-        isRegrouped_ = true;
+        change_ = Change::finer;
         const Range children = structure.asset().fragment(fragments[i]).children;
         fragments[i] = children.first;
         for (uint32_t c = 1; c < children.count; ++c) fragments.push_back(children.first + c);
     }
     std::sort(fragments.begin(), fragments.end());
-    structure.islandsOf(fragments, groups_);
-    const bool wasAnchored = island.isAnchored;
-    return groups_.size() > 1 || (wasAnchored && !groups_[0].anchored);
+    groups_.find(structure, fragments);
+    const auto groups = groups_.islands();
+    if (groups.size() > 1 || island.isAnchored != groups[0].anchored) change_ = Change::apart;
+    return change_;
 }
 
 std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inStep) {
     updated_.assign(1, index);
-    const bool comesApart =
-        groups_.size() > 1 || (islands_[index].isAnchored && !groups_[0].anchored);
-    if (!isRegrouped_ && !comesApart) return updated_;
+    if (change_ == Change::none) return updated_;
+    const bool isSplit = change_ == Change::apart;
+    const std::span<const IslandFinder::Island> groups = groups_.islands();
     const uint32_t objectIndex = islands_[index].object;
     const auto largest =
-        size_t(std::max_element(groups_.begin(), groups_.end(),
+        size_t(std::max_element(groups.begin(), groups.end(),
                                 [](const auto& x, const auto& y) { return x.mass < y.mass; }) -
-               groups_.begin());
+               groups.begin());
     const btRigidBody& whole = *islands_[index].body;
     const btVector3 center = whole.getCenterOfMassPosition();
     const btVector3 linear = whole.getLinearVelocity();
@@ -194,13 +203,17 @@ std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inS
         body.setLinearVelocity(linear + angular.cross(body.getCenterOfMassPosition() - center));
         body.setAngularVelocity(angular);
     };
-    for (size_t g = 0; g < groups_.size(); ++g) {
+    const auto give = [&](IslandBody& island, size_t group) {
+        const std::span<const uint32_t> fragments = groups_.fragmentsOf(groups[group]);
+        island.fragments.assign(fragments.begin(), fragments.end());
+        island.isAnchored = groups[group].anchored;
+    };
+    for (size_t g = 0; g < groups.size(); ++g) {
         if (g == largest) continue;
         const uint32_t slot = takeSlot();
         IslandBody& island = islands_[slot];
         island.object = objectIndex;
-        island.fragments = groups_[g].fragments;
-        island.isAnchored = groups_[g].anchored;
+        give(island, g);
         island.bornAt = time;
         island.pose = islands_[index].pose;
         island.previous = islands_[index].previous;
@@ -211,11 +224,10 @@ std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inS
         updated_.push_back(slot);
     }
     IslandBody& kept = islands_[index];
-    kept.fragments = std::move(groups_[largest].fragments);
-    kept.isAnchored = groups_[largest].anchored;
-    if (comesApart) kept.bornAt = time;
+    give(kept, largest);
+    if (isSplit) kept.bornAt = time;
     // A body that stands by its spawn option alone stands until something comes off.
-    const bool isFixed = kept.isAnchored || (!comesApart && kept.body->isStaticObject());
+    const bool isFixed = kept.isAnchored || (!isSplit && kept.body->isStaticObject());
     const btVector3 weight = kept.body->getGravity() * kept.body->getMass();
     reshape(index, isFixed);
     giveMotion(*kept.body);
@@ -233,10 +245,19 @@ std::span<const uint32_t> BodyStore::split(uint32_t index, double time, bool inS
 void BodyStore::readPoses() {
     for (IslandBody& island : islands_) {
         if (!island.body) continue;
+        const btTransform& now = island.body->getWorldTransform();
+        if (now == island.seen) {  // what sleeps costs a look
+            if (!island.isStill) posesListed_ = false;
+            island.previous = island.pose;
+            island.isStill = true;
+            continue;
+        }
         island.previous = island.pose;
-        island.pose = toPose(island.body->getWorldTransform() * island.frame.inverse());
+        island.pose = toPose(now * island.frame.inverse());
+        island.seen = now;
+        island.isStill = false;
+        posesListed_ = false;
     }
-    posesListed_ = false;
 }
 
 std::span<const FragmentPose> BodyStore::poses() {
@@ -256,6 +277,85 @@ std::span<const FragmentPose> BodyStore::poses() {
     }
     posesListed_ = true;
     return poses_;
+}
+
+bool BodyStore::pin(uint32_t object, uint32_t fragment, bool pinned) {
+    if (findIsland(object, fragment) == UINT32_MAX) return false;
+    Structure& structure = *objects_[object].structure;
+    const Range leaves = structure.graph().leavesOf(fragment);
+    for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf)
+        structure.pin(leaf, pinned);
+    return true;
+}
+
+void BodyStore::replaceBodies(uint32_t index, ObjectSnapshot&& snapshot) {
+    Object& object = objects_[index];
+    for (const uint32_t island : object.bodies) removeBody(island);
+    freeIslands_.insert(freeIslands_.end(), object.bodies.rbegin(), object.bodies.rend());
+    object.bodies.clear();
+    *object.structure = std::move(*snapshot.structure);
+    for (BodySnapshot& from : snapshot.bodies) {
+        const uint32_t slot = takeSlot();
+        IslandBody& island = islands_[slot];
+        island.object = index;
+        island.fragments = std::move(from.fragments);
+        island.isAnchored = from.isAnchored;
+        island.bornAt = from.bornAt;
+        island.pose = from.pose;
+        island.previous = from.previous;
+        makeBody(slot, from.isFixed);
+        btRigidBody& body = *island.body;
+        body.setWorldTransform(from.transform);
+        body.setInterpolationWorldTransform(from.transform);
+        island.seen = from.transform;
+        body.setLinearVelocity(from.linear);
+        body.setAngularVelocity(from.angular);
+        body.setInterpolationLinearVelocity(from.linear);
+        body.setInterpolationAngularVelocity(from.angular);
+        body.updateInertiaTensor();
+        body.forceActivationState(from.activation);
+        body.setDeactivationTime(from.quietFor);
+        if (body.isInWorld()) world_.updateSingleAabb(&body);
+        object.bodies.push_back(slot);
+    }
+}
+
+uint32_t BodyStore::pinLeaves(
+    uint32_t index, const std::function<bool(btCollisionShape&, const btTransform&)>& wanted) {
+    const Object& object = objects_[index];
+    Structure& structure = *object.structure;
+    uint32_t count = 0;
+    for (const uint32_t b : object.bodies) {
+        const IslandBody& island = islands_[b];
+        const btTransform frame = island.body->getWorldTransform() * island.frame.inverse();
+        for (const uint32_t fragment : island.fragments) {
+            const Range leaves = structure.graph().leavesOf(fragment);
+            for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+                const uint32_t f = structure.graph().fragmentOfLeaf(leaf);
+                if (!wanted(*object.shapes->shape(f), frame * object.shapes->bodyFrame(f)))
+                    continue;
+                structure.pin(leaf, true);
+                ++count;
+            }
+        }
+    }
+    return count;
+}
+
+void BodyStore::throwFrom(const glm::vec3& point, float radius, float impulsePerArea) {
+    for (const IslandBody& island : islands_) {
+        if (!island.body || island.body->isStaticObject()) continue;
+        const btVector3 away = island.body->getCenterOfMassPosition() - toBullet(point);
+        const btScalar distance = away.length();
+        if (!(distance < radius) || !(distance > 0)) continue;
+        btVector3 center;
+        btScalar size = 0;
+        island.body->getCollisionShape()->getBoundingSphere(center, size);
+        const btScalar area = SIMD_PI * size * size;
+        island.body->activate();
+        island.body->applyCentralImpulse(away / distance * impulsePerArea * area *
+                                         (1 - distance / radius));
+    }
 }
 
 bool BodyStore::isAlive(ObjectId id) const {

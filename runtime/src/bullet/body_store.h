@@ -4,11 +4,13 @@
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "bullet/fragment_shapes.h"
+#include "bullet/object_snapshot.h"
 #include "sherd/runtime/bullet/destruction_world.h"
 #include "sherd/runtime/structure.h"
 
@@ -25,6 +27,8 @@ struct IslandBody {
     double bornAt = 0;                ///< s
     RigidPose pose;                   ///< of the object frame
     RigidPose previous;
+    btTransform seen;      ///< of the body, when `pose` was read from it
+    bool isStill = false;  ///< `previous` is `pose`
 };
 
 struct Object {
@@ -50,21 +54,39 @@ class BodyStore {
                    const SpawnOptions& options);
     void remove(uint32_t object);
 
-    /// What the object's structure makes of a body's fragments now: those that were opened give
-    /// way to their children, and islands form. Returns whether it comes apart or off its anchors.
-    bool regroup(uint32_t body);
+    /// What an object's structure has made of a body.
+    enum class Change {
+        none,
+        finer,  ///< fragments that were opened gave way to their children
+        apart,  ///< it comes apart, off its anchors or to new ones
+    };
+    Change regroup(uint32_t body);
     /// Carries out what the last `regroup` of this body found: every island but the largest gets a
     /// body of its own, with the velocity its part had. `inStep`: Bullet has given its gravity for
     /// this step already, and new bodies must have theirs. Returns the bodies there are now, the
     /// old one first. Valid until the next call.
     std::span<const uint32_t> split(uint32_t body, double time, bool inStep);
 
+    /// Pins the leaves of a standing fragment, or lets them go. False when it does not stand.
+    bool pin(uint32_t object, uint32_t fragment, bool pinned);
+
+    /// Pins the leaves whose shape, at its place in the world, `wanted` says. Returns how many.
+    uint32_t pinLeaves(uint32_t object,
+                       const std::function<bool(btCollisionShape&, const btTransform&)>& wanted);
+    /// Pushes moving bodies within `radius` away from a point: N s per m^2 of the circle that their
+    /// bounding spheres show it, falling evenly to the rim.
+    void throwFrom(const glm::vec3& point, float radius, float impulsePerArea);
+
     /// The substep is over: reads all bodies.
     void readPoses();
     std::span<const FragmentPose> poses();
 
+    /// Bodies in place of an object's own, as `readSnapshot` found them. Fires nothing.
+    void replaceBodies(uint32_t object, ObjectSnapshot&& snapshot);
+
     [[nodiscard]] bool isAlive(ObjectId id) const;
     [[nodiscard]] ObjectId idOf(uint32_t object) const;
+    [[nodiscard]] uint32_t objectCount() const { return uint32_t(objects_.size()); }
     [[nodiscard]] const Object& object(uint32_t index) const { return objects_[index]; }
     [[nodiscard]] const IslandBody& island(uint32_t index) const { return islands_[index]; }
     [[nodiscard]] Structure& structureOf(uint32_t island) {
@@ -93,8 +115,8 @@ class BodyStore {
     std::vector<IslandBody> islands_;
     std::vector<uint32_t> freeIslands_;
     std::vector<uint32_t> updated_;
-    std::vector<Structure::Island> groups_;  ///< of the last body regrouped
-    bool isRegrouped_ = false;               ///< whether it consists of other fragments than it did
+    IslandFinder groups_;           ///< of the last body regrouped
+    Change change_ = Change::none;  ///< and what became of it
     std::vector<FragmentPose> poses_;
     bool posesListed_ = false;
     uint32_t bodyCount_ = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "bullet/convert.h"
@@ -60,7 +61,7 @@ void Breaker::step(double time, float dt, bool inStep) {
     inStep_ = inStep;
     ignored_.releaseSeparated();
     store_.readPoses();
-    if (store_.bodyCount() == 0) return;
+    if (store_.bodyCount() == 0 || !options_.authority) return;
     contacts_.gather(world_, dt, inStep);
     findMeetings();
     for (const Meeting& meeting : meetings_) applyMeeting(meeting);
@@ -115,10 +116,10 @@ void Breaker::findMeetings() {
 void Breaker::applyMeeting(const Meeting& meeting) {
     const SolvedPair& pair = contacts_.pairs()[meeting.pair];
     Strike strike{meeting.pair,
-                        {contacts_.body(pair.a), contacts_.body(pair.b)},
-                        {pair.childA, pair.childB},
-                        pair.point,
-                        pair.normal};
+                  {contacts_.body(pair.a), contacts_.body(pair.b)},
+                  {pair.childA, pair.childB},
+                  pair.point,
+                  pair.normal};
     if (!strike.bodies[0] || !strike.bodies[1]) return;  // came apart by a harder hit just now
     // Another hit may have taken this contact back, and used up its energy.
     Meeting now = meeting;
@@ -149,12 +150,10 @@ float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact,
     const uint32_t index = store_.islandOf(body);
     const IslandBody& island = store_.island(index);
     const Object& object = store_.object(island.object);
-    Hit hit;
-    hit.fragment = store_.fragmentOf(index, strike.children[side]);
-    hit.point = toGlm(island.frame * (body.getWorldTransform().inverse() * strike.point));
+    Hit hit = hitOn(index, strike.children[side], strike.point);
     hit.energy = energy;
     hit.stress = contactStress(object.asset(), hit.fragment, contact.approachSpeed);
-    sherd::applyHit(store_.structureOf(index), hit, object.options.damage, hit_);
+    solver_.apply(store_.structureOf(index), hit, object.options.damage, hit_);
     if (!hit_.brokeSomething()) return hit_.consumed;
 
     BreakEvent event;
@@ -164,7 +163,7 @@ float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact,
     event.energy = energy;
     event.consumed = hit_.consumed;
     event.approachSpeed = contact.approachSpeed;
-    if (store_.regroup(index)) {
+    if (store_.regroup(index) == BodyStore::Change::apart) {
         const SolvedPair& pair = contacts_.pairs()[strike.pair];
         surplus += contacts_.undoAround(strike.pair, kShockShare * pair.normalImpulse);
         // Along the normal first; a graze that has too little there gives the rest sideways, as
@@ -191,6 +190,14 @@ float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact,
             strike.bodies[side] = store_.island(part).body.get();
     }
     return hit_.consumed;
+}
+
+Hit Breaker::hitOn(uint32_t index, int child, const btVector3& point) const {
+    const IslandBody& island = store_.island(index);
+    Hit hit;
+    hit.fragment = store_.fragmentOf(index, child);
+    hit.point = toGlm(island.frame * (island.body->getWorldTransform().inverse() * point));
+    return hit;
 }
 
 void Breaker::addEvent(BreakEvent event, uint32_t index, uint32_t fragment, uint32_t bodies) {
@@ -281,22 +288,96 @@ void Breaker::settleOverlaps() {
     groupCount_ = 0;
 }
 
-void Breaker::breakFragment(uint32_t island, uint32_t fragment, double time) {
-    time_ = time;
-    inStep_ = false;
-    shatter(store_.structureOf(island), fragment, hit_);
-    store_.regroup(island);
-    const auto bodies = split(island);
-    addEvent({}, island, fragment, uint32_t(bodies.size()) - 1);
+/// Between steps: what `hit_` has broken comes apart.
+void Breaker::splitAndReport(uint32_t island, uint32_t fragment, BreakEvent event) {
+    uint32_t bodies = 0;
+    if (store_.regroup(island) != BodyStore::Change::none)
+        bodies = uint32_t(split(island).size()) - 1;
+    event.consumed = hit_.consumed;
+    if (hit_.brokeSomething()) addEvent(event, island, fragment, bodies);
     settleOverlaps();
 }
 
-void Breaker::removeObject(uint32_t object) {
+uint32_t Breaker::dealArea(uint32_t objectIndex, const AreaDamage& damage, double time) {
+    time_ = time;
+    inStep_ = false;
+    uint32_t broken = 0;
+    const std::vector<uint32_t> islands = store_.object(objectIndex).bodies;
+    for (const uint32_t index : islands) {
+        const IslandBody& island = store_.island(index);
+        const AreaDamage seen =
+            seenFrom(toPose(island.body->getWorldTransform() * island.frame.inverse()), damage);
+        applyArea(store_.structureOf(index), island.fragments, seen,
+                  store_.object(objectIndex).options.damage, hit_);
+        broken += uint32_t(hit_.bonds.size());
+        BreakEvent event;
+        event.point = damage.a;
+        event.energy = hit_.consumed;
+        splitAndReport(index, island.fragments.front(), event);
+    }
+    return broken;
+}
+
+float Breaker::reportHit(uint32_t index, const ReportedHit& reported, int child, double time) {
+    time_ = time;
+    inStep_ = false;
+    const Object& object = store_.object(store_.island(index).object);
+    const Meeting meeting{0, {reported.impulse, reported.speed, 0}, reported.energy};
+    if (!canTakeDamage(index, meeting)) return 0;
+    Hit hit = hitOn(index, child, toBullet(reported.point));
+    hit.energy = reported.energy;
+    hit.stress = contactStress(object.asset(), hit.fragment, reported.speed);
+    solver_.apply(store_.structureOf(index), hit, object.options.damage, hit_);
+    BreakEvent event;
+    event.point = reported.point;
+    event.normal = reported.normal;
+    event.impulse = reported.impulse;
+    event.energy = reported.energy;
+    event.approachSpeed = reported.speed;
+    splitAndReport(index, hit.fragment, event);
+    return hit_.consumed;
+}
+
+void Breaker::breakFragment(uint32_t island, uint32_t fragment, bool whole, double time) {
+    time_ = time;
+    inStep_ = false;
+    shatter(store_.structureOf(island), fragment, whole, hit_);
+    splitAndReport(island, fragment, {});
+}
+
+void Breaker::breakAll(uint32_t object, double time) {
+    AreaDamage everything;
+    everything.fluence = HUGE_VALF;
+    everything.radius = std::numeric_limits<float>::max();
+    everything.falloff = 0;
+    dealArea(object, everything, time);
+}
+
+void Breaker::followPins(uint32_t objectIndex, double time) {
+    time_ = time;
+    inStep_ = false;
+    hit_.clear();
+    const std::vector<uint32_t> islands = store_.object(objectIndex).bodies;
+    for (const uint32_t island : islands) splitAndReport(island, 0, {});
+}
+
+void Breaker::forgetOverlaps(uint32_t object) {
     for (const uint32_t island : store_.object(object).bodies) {
         partners_.clear();
         ignored_.remove(*store_.island(island).body, partners_);
     }
+}
+
+void Breaker::removeObject(uint32_t object) {
+    forgetOverlaps(object);
     store_.remove(object);
+}
+
+void Breaker::replaceObject(uint32_t object, ObjectSnapshot&& snapshot) {
+    forgetOverlaps(object);
+    store_.replaceBodies(object, std::move(snapshot));
+    for (const uint32_t island : store_.object(object).bodies) newcomers_.push_back({0, island});
+    settleOverlaps();
 }
 
 std::span<const BreakEvent> Breaker::takeEvents() {

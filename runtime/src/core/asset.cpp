@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sherd/runtime/asset.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -37,6 +38,25 @@ void composeMasses(std::vector<Fragment>& fragments) {
             fragment.inertiaOrientation = principal.orientation;
         }
     }
+}
+
+/// Fowler, Noll, Vo (1991).
+uint64_t hashOf(const FractureSet& set) {
+    uint64_t hash = 0xcbf29ce484222325;
+    const auto mix = [&hash](uint64_t number) {
+        for (int i = 0; i < 64; i += 8) hash = (hash ^ ((number >> i) & 0xff)) * 0x100000001b3;
+    };
+    for (const char c : set.sourceHash) mix(uint8_t(c));
+    for (const Fragment& fragment : set.fragments) {
+        mix(fragment.children.first);
+        mix(fragment.children.count);
+    }
+    for (const Bond& bond : set.bonds) {
+        mix(uint32_t(bond.a));
+        mix(uint32_t(bond.b));
+        mix(std::bit_cast<uint32_t>(bond.area));
+    }
+    return hash;
 }
 
 Asset::Box boxAround(const FractureSet& set, const Fragment& fragment) {
@@ -114,6 +134,7 @@ Asset::Asset(FractureSet set) : set_(std::move(set)), graph_(set_) {
         if (bond.b != BondGraph::kWorld) breakEnergy_[bond.parting] += bond.area * bond.toughness;
     for (const Fragment& fragment : set_.fragments) boxes_.push_back(boxAround(set_, fragment));
     composeMasses(set_.fragments);
+    bakeHash_ = hashOf(set_);
     diagonal_ = boundingDiagonal(set_.hullPoints);
 }
 

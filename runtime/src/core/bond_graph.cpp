@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sherd/runtime/material.h"
+
 namespace sherd {
 namespace {
 
@@ -51,6 +53,8 @@ BondGraph::BondGraph(const FractureSet& set)
         bond.area = from.area;
         bond.strength = from.strength;
         bond.toughness = from.toughness;
+        const Fragment& side = set.fragments[fragmentOfLeaf_[bond.a]];
+        bond.energy = bond.area * bond.toughness * materialNamed(side.material).dissipation;
         if (bond.b != kWorld) {
             bond.parting =
                 commonFragment(set.fragments, fragmentOfLeaf_[bond.a], fragmentOfLeaf_[bond.b]);

@@ -57,9 +57,11 @@ void BondNetwork::findLinks(const Structure& structure, std::span<const uint32_t
         fragments_.push_back(f);
     }
     links_.clear();
+    pins_.clear();
     for (uint32_t node = 0; node < fragments_.size(); ++node) {
         const Range leaves = graph.leavesOf(fragments_[node]);
         for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+            if (structure.isPinned(leaf)) pins_.push_back({node, leaf});
             for (const BondGraph::Edge& edge : graph.edgesOf(leaf)) {
                 if (graph.bond(edge.bond).a != leaf || structure.isBroken(edge.bond)) continue;
                 const bool isAnchor = edge.other == BondGraph::kWorld;
@@ -87,6 +89,7 @@ void BondNetwork::keepGrounded() {
     std::iota(parent_.begin(), parent_.end(), 0U);
     for (const Link& link : links_)
         parent_[rootOf(link.a)] = rootOf(link.b == kGround ? ground : link.b);
+    for (const Pin& pin : pins_) parent_[rootOf(pin.node)] = rootOf(ground);
     uint32_t kept = 0;
     for (uint32_t node = 0; node < ground; ++node) {
         const uint32_t fragment = fragments_[node];
@@ -100,6 +103,7 @@ void BondNetwork::keepGrounded() {
         link.a = nodeOf_[fragments_[link.a]];
         if (link.b != kGround) link.b = nodeOf_[fragments_[link.b]];
     }
+    for (Pin& pin : pins_) pin.node = nodeOf_[fragments_[pin.node]];
     const auto floats = [&](uint32_t fragment) { return nodeOf_[fragment] == kNone; };
     fragments_.erase(std::remove_if(fragments_.begin(), fragments_.end(), floats),
                      fragments_.end());
@@ -125,8 +129,8 @@ void BondNetwork::addEdges(const Structure& structure) {
     single_.centers.clear();
     for (const uint32_t fragment : fragments_) single_.centers.push_back(centerOf(fragment));
     single_.edges.clear();
-    single_.edges.reserve(links_.size());
-    network_.edges.reserve(links_.size());
+    single_.edges.reserve(links_.size() + pins_.size());
+    network_.edges.reserve(links_.size() + pins_.size());
     for (Link& link : links_) {
         const BondGraph::Bond& bond = graph.bond(link.bond);
         const double area = link.area / (unit_ * unit_);
@@ -148,6 +152,22 @@ void BondNetwork::addEdges(const Structure& structure) {
             std::swap(edge.a, edge.b);
             std::swap(edge.armA, edge.armB);
         }
+    }
+    addPins(structure, meanArea);
+}
+
+/// A pin holds its leaf in the middle, as stiff as a cube of the size of bonds and in turning as
+/// well: so what hangs from several shares its load between them.
+void BondNetwork::addPins(const Structure& structure, double meanArea) {
+    const double area = meanArea > 0 ? meanArea : 1;
+    for (const Pin& pin : pins_) {
+        const Fragment& leaf =
+            structure.asset().fragment(structure.graph().fragmentOfLeaf(pin.leaf));
+        ElasticNetwork::Edge& edge = single_.edges.emplace_back();
+        edge.a = pin.node;
+        edge.armA = glm::dvec3(leaf.centerOfMass) / unit_ - single_.centers[pin.node];
+        edge.stiffness.linear = glm::dmat3(std::sqrt(area));
+        edge.stiffness.angular = glm::dmat3(area * std::sqrt(area) / 12);
     }
 }
 

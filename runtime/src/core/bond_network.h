@@ -12,7 +12,7 @@
 namespace sherd {
 
 /// An island as rigid fragments and elastic bonds, those between the same two fragments as one.
-/// Only what hangs together with the world is in it. Keeps its memory.
+/// Only what hangs together with the world, by bonds or pins, is in it. Keeps its memory.
 class BondNetwork {
   public:
     static constexpr uint32_t kNone = UINT32_MAX;
@@ -44,13 +44,18 @@ class BondNetwork {
     void keepGrounded();
     uint32_t rootOf(uint32_t node);
     void addEdges(const Structure& structure);
+    void addPins(const Structure& structure, double meanArea);
 
     ElasticNetwork network_;
-    ElasticNetwork single_;  ///< one edge per link
+    ElasticNetwork single_;  ///< one edge per link, then one per pin
     double unit_ = 1;
     std::vector<uint32_t> fragments_;
     std::vector<uint32_t> nodeOf_;  ///< per fragment of the asset
     std::vector<Link> links_;
+    struct Pin {
+        uint32_t node, leaf;
+    };
+    std::vector<Pin> pins_;
     std::vector<uint32_t> parent_;  ///< a forest over the nodes and, last, the ground
     Aggregation aggregation_;
 };

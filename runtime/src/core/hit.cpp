@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <tuple>
 
-#include "sherd/runtime/damage.h"
-#include "sherd/runtime/material.h"
+#include "core/bond_price.h"
 #include "sherd/runtime/structure.h"
 
 namespace sherd {
@@ -20,21 +20,61 @@ struct Seam {
     float energy = 0;    ///< that breaking it would consume, J
     float area = 0;      ///< m^2
     float strength = 0;  ///< of its weakest bond, Pa
+    float need = 0;      ///< the factor from which it breaks
     float near = 0;      ///< how near it is: 1 at the point, falling with distance
     uint32_t firstBond = 0, bondCount = 0;
 };
 
+struct Crossing {
+    uint32_t other, bond;
+};
+
+}  // namespace
+
+struct HitSolver::Scratch {
+    std::vector<Seam> seams;      ///< that fail at this stress
+    std::vector<uint32_t> bonds;  ///< of the seams
+    std::vector<Crossing> crossings;
+    std::vector<uint32_t> front;  ///< fragments reached, in that order
+    /// Per fragment: the round in which it was reached, and the one in which its seams were found.
+    std::vector<uint32_t> reached, done;
+    uint32_t round = 0;
+
+    void nextRound(uint32_t fragments) {
+        if (reached.size() < fragments) {
+            reached.resize(fragments, 0);
+            done.resize(fragments, 0);
+        }
+        if (++round == 0) {
+            std::fill(reached.begin(), reached.end(), 0U);
+            std::fill(done.begin(), done.end(), 0U);
+            round = 1;
+        }
+        seams.clear();
+        bonds.clear();
+        front.clear();
+    }
+    void reach(uint32_t fragment) {
+        if (reached[fragment] == round) return;
+        reached[fragment] = round;
+        front.push_back(fragment);
+    }
+};
+
+namespace {
+
 class Spreading {
   public:
-    Spreading(Structure& structure, const Hit& hit, const DamageOptions& options)
-        : structure_(structure), graph_(structure.graph()), hit_(hit), options_(options) {}
+    Spreading(Structure& structure, const Hit& hit, const DamageOptions& options,
+              HitSolver::Scratch& scratch)
+        : structure_(structure),
+          graph_(structure.graph()),
+          hit_(hit),
+          options_(options),
+          scratch_(scratch) {}
 
     void run(HitResult& result) {
-        result.consumed = 0;
-        result.area = 0;
-        result.level = 0;
-        result.bonds.clear();
-        result.opened.clear();
+        result.clear();
         uint32_t target = hit_.fragment;
         float left = hit_.energy;
         while (left > 0) {
@@ -64,21 +104,8 @@ class Spreading {
     float nearness(const glm::vec3& place) const {
         return radius_ / (radius_ + glm::distance(place, hit_.point));
     }
-    float priceOf(const BondGraph::Bond& bond) const {
-        const Asset& asset = structure_.asset();
-        const uint32_t level = asset.fragment(bond.parting).level;
-        const auto& material =
-            materialNamed(asset.fragment(graph_.fragmentOfLeaf(bond.a)).material);
-        return bond.area * bond.toughness * material.dissipation * options_.toughnessScale *
-               std::pow(options_.levelScale, float(level));
-    }
-    float strengthOf(const BondGraph::Bond& bond) const {
-        const uint32_t level = structure_.asset().fragment(bond.parting).level;
-        return bond.strength * options_.strengthScale * std::pow(options_.levelScale, float(level));
-    }
-
     void findSeams(uint32_t target);
-    void addSeamsOf(uint32_t side, std::vector<uint32_t>& reached);
+    void addSeamsOf(uint32_t side);
     bool breakSeams(float& left, HitResult& result);
     uint32_t childAt(uint32_t fragment) const;
 
@@ -87,78 +114,64 @@ class Spreading {
     const Hit& hit_;
     const DamageOptions& options_;
     uint32_t divided_ = kNone;  ///< standing, but seen as its children
-    float radius_ = 0;          ///< of the struck fragment, metres
-    std::vector<Seam> seams_;   ///< that fail at this stress
-    std::vector<uint32_t> bonds_;
-    struct Crossing {
-        uint32_t other, bond;
-    };
-    std::vector<Crossing> crossings_;
+    float radius_ = 0;          ///< of the struck fragment, half of its diagonal, metres
+    HitSolver::Scratch& scratch_;
 };
 
 /// From the struck fragment on, through every seam the stress can break.
 void Spreading::findSeams(uint32_t target) {
-    seams_.clear();
-    bonds_.clear();
-    const double volume = double(structure_.asset().fragment(target).volume);
-    radius_ = float(std::cbrt(std::max(volume, 1e-30) * 3 / (4 * 3.14159265358979)));
-    std::vector<uint32_t> reached;
+    scratch_.nextRound(structure_.asset().fragmentCount());
+    // Half across, not of equal volume: thin walls guide what strikes them farther than it would go
+    // in a lump.
+    const auto& [low, high] = structure_.asset().box(target);
+    radius_ = std::max(0.5F * glm::distance(low, high), std::numeric_limits<float>::min());
     if (divided_ == kNone) {
-        reached.push_back(target);
+        scratch_.reach(target);
     } else {
         const Range children = structure_.asset().fragment(target).children;
-        for (uint32_t c = 0; c < children.count; ++c) reached.push_back(children.first + c);
+        for (uint32_t c = 0; c < children.count; ++c) scratch_.reach(children.first + c);
     }
-    std::vector<uint32_t> all(reached);
-    for (size_t i = 0; i < all.size(); ++i) {
-        reached.clear();
-        addSeamsOf(all[i], reached);
-        for (const uint32_t side : reached)
-            if (std::find(all.begin(), all.end(), side) == all.end()) all.push_back(side);
-    }
+    for (size_t i = 0; i < scratch_.front.size(); ++i) addSeamsOf(scratch_.front[i]);
 }
 
-void Spreading::addSeamsOf(uint32_t side, std::vector<uint32_t>& reached) {
-    crossings_.clear();
+void Spreading::addSeamsOf(uint32_t side) {
+    auto& [seams, bonds, crossings, front, reached, done, round] = scratch_;
+    done[side] = round;
+    crossings.clear();
     const Range leaves = graph_.leavesOf(side);
     for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
         for (const BondGraph::Edge& edge : graph_.edgesOf(leaf)) {
             const bool isInner =
                 edge.other != BondGraph::kWorld && graph_.contains(side, edge.other);
-            if (!isInner && !structure_.isBroken(edge.bond))
-                crossings_.push_back({sideOf(edge.other), edge.bond});
+            if (isInner || structure_.isBroken(edge.bond)) continue;
+            const uint32_t other = sideOf(edge.other);
+            if (other == kNone || done[other] != round) crossings.push_back({other, edge.bond});
         }
     }
-    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& x, const Crossing& y) {
+    std::sort(crossings.begin(), crossings.end(), [](const Crossing& x, const Crossing& y) {
         return std::tie(x.other, x.bond) < std::tie(y.other, y.bond);
     });
-    for (size_t i = 0; i < crossings_.size();) {
-        const uint32_t other = crossings_[i].other;
+    for (size_t i = 0; i < crossings.size();) {
+        const uint32_t other = crossings[i].other;
         Seam seam{side, other};
-        seam.firstBond = uint32_t(bonds_.size());
+        seam.firstBond = uint32_t(bonds.size());
         seam.strength = HUGE_VALF;
-        for (; i < crossings_.size() && crossings_[i].other == other; ++i) {
-            const uint32_t b = crossings_[i].bond;
+        for (; i < crossings.size() && crossings[i].other == other; ++i) {
+            const uint32_t b = crossings[i].bond;
             const BondGraph::Bond& bond = graph_.bond(b);
-            const float price = priceOf(bond);
             seam.area += bond.area;
-            seam.energy += price * structure_.health(b);
-            seam.strength = std::min(seam.strength, strengthOf(bond));
+            seam.energy += priceOf(structure_.asset(), bond, options_) * structure_.health(b);
+            seam.strength = std::min(seam.strength, strengthOf(structure_.asset(), bond, options_));
             seam.near = std::max(seam.near, nearness(bond.centroid));
-            bonds_.push_back(b);
+            bonds.push_back(b);
         }
-        seam.bondCount = uint32_t(bonds_.size()) - seam.firstBond;
-        const bool fails = hit_.stress * seam.near > seam.strength;
-        const bool isNew = std::none_of(seams_.begin(), seams_.end(), [&](const Seam& known) {
-            return known.a == other && known.b == side;
-        });
-        if (!fails || !isNew) {
-            bonds_.resize(seam.firstBond);
-            if (fails && other != kNone) reached.push_back(other);
+        seam.bondCount = uint32_t(bonds.size()) - seam.firstBond;
+        if (!(hit_.stress * seam.near > seam.strength)) {
+            bonds.resize(seam.firstBond);
             continue;
         }
-        seams_.push_back(seam);
-        if (other != kNone) reached.push_back(other);
+        seams.push_back(seam);
+        if (other != kNone) scratch_.reach(other);
     }
 }
 
@@ -174,23 +187,23 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
     // Of a factor f, a seam gets f x near^2 x area, or all it can take: it breaks from f = need on.
     // With the seams in that order, those in front break, the others share the rest.
     const auto weight = [](const Seam& seam) { return seam.near * seam.near * seam.area; };
-    const auto need = [&](const Seam& seam) {
-        return seam.energy > 0 ? seam.energy / weight(seam) : 0.0F;
-    };
-    std::stable_sort(seams_.begin(), seams_.end(),
-                     [&](const Seam& x, const Seam& y) { return need(x) < need(y); });
+    for (Seam& seam : scratch_.seams)
+        seam.need = seam.energy > 0 ? seam.energy / weight(seam) : 0.0F;
+    std::sort(scratch_.seams.begin(), scratch_.seams.end(), [](const Seam& x, const Seam& y) {
+        return std::tie(x.need, x.firstBond) < std::tie(y.need, y.firstBond);
+    });
     double weights = 0;
-    for (const Seam& seam : seams_) weights += double(weight(seam));
+    for (const Seam& seam : scratch_.seams) weights += double(weight(seam));
     bool opens = false;
     size_t broken = 0;
     double rest = double(left);
-    for (; broken < seams_.size(); ++broken) {
-        const Seam& seam = seams_[broken];
-        if (double(need(seam)) * weights > rest) break;
+    for (; broken < scratch_.seams.size(); ++broken) {
+        const Seam& seam = scratch_.seams[broken];
+        if (double(seam.need) * weights > rest) break;
         rest -= double(seam.energy);
         weights -= double(weight(seam));
         for (uint32_t i = 0; i < seam.bondCount; ++i) {
-            const uint32_t b = bonds_[seam.firstBond + i];
+            const uint32_t b = scratch_.bonds[seam.firstBond + i];
             structure_.breakBond(b);
             result.bonds.push_back(b);
             result.area += graph_.bond(b).area;
@@ -199,14 +212,14 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
         }
         opens = opens || isInside(seam);
     }
-    if (broken < seams_.size() && weights > 0) {
+    if (broken < scratch_.seams.size() && weights > 0) {
         const double factor = rest / weights;
-        for (size_t s = broken; s < seams_.size(); ++s) {
-            if (!(seams_[s].energy > 0)) continue;
-            const double taken = factor * double(weight(seams_[s]));
-            const auto share = float(taken / double(seams_[s].energy));  // of what is left
-            for (uint32_t i = 0; i < seams_[s].bondCount; ++i) {
-                const uint32_t b = bonds_[seams_[s].firstBond + i];
+        for (size_t s = broken; s < scratch_.seams.size(); ++s) {
+            if (!(scratch_.seams[s].energy > 0)) continue;
+            const double taken = factor * double(weight(scratch_.seams[s]));
+            const auto share = float(taken / double(scratch_.seams[s].energy));  // of what is left
+            for (uint32_t i = 0; i < scratch_.seams[s].bondCount; ++i) {
+                const uint32_t b = scratch_.bonds[scratch_.seams[s].firstBond + i];
                 structure_.weaken(b, share * structure_.health(b));
             }
         }
@@ -249,14 +262,19 @@ uint32_t Spreading::childAt(uint32_t fragment) const {
 
 }  // namespace
 
-void applyHit(Structure& structure, const Hit& hit, const DamageOptions& options,
-              HitResult& result) {
-    Spreading(structure, hit, options).run(result);
+HitSolver::HitSolver() : scratch_(std::make_unique<Scratch>()) {}
+HitSolver::~HitSolver() = default;
+HitSolver::HitSolver(HitSolver&&) noexcept = default;
+HitSolver& HitSolver::operator=(HitSolver&&) noexcept = default;
+
+void HitSolver::apply(Structure& structure, const Hit& hit, const DamageOptions& options,
+                      HitResult& result) {
+    Spreading(structure, hit, options, *scratch_).run(result);
 }
 
-void shatter(Structure& structure, uint32_t fragment, HitResult& result) {
+void shatter(Structure& structure, uint32_t fragment, bool whole, HitResult& result) {
     const BondGraph& graph = structure.graph();
-    result = {};
+    result.clear();
     const auto breakAround = [&](uint32_t part) {
         const Range leaves = graph.leavesOf(part);
         for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
@@ -271,12 +289,13 @@ void shatter(Structure& structure, uint32_t fragment, HitResult& result) {
         }
     };
     const Fragment& broken = structure.asset().fragment(fragment);
-    result.level = broken.level + 1;
+    result.level = broken.level;
     result.struck = fragment;
-    if (broken.children.count == 0) {
+    if (whole || broken.children.count == 0) {
         breakAround(fragment);
         return;
     }
+    ++result.level;
     for (uint32_t c = 0; c < broken.children.count; ++c) breakAround(broken.children.first + c);
     structure.open(fragment);
     result.opened.push_back(fragment);

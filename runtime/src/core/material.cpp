@@ -8,14 +8,14 @@ namespace sherd {
 namespace {
 
 //                           name     tension  shear compression  J/m^2   m/s   dissipation
-constexpr std::array<Material, 8> kMaterials{{{"glass", 40e6F, 0.8F, 20, 8, 5500, 10},
-                                              {"porcelain", 45e6F, 0.8F, 12, 20, 5300, 10},
-                                              {"brick", 2e6F, 0.7F, 10, 30, 3000, 10},
-                                              {"concrete", 3e6F, 0.7F, 10, 80, 3700, 10},
-                                              {"stone", 10e6F, 0.7F, 14, 80, 5000, 10},
+constexpr std::array<Material, 8> kMaterials{{{"glass", 40e6F, 0.8F, 20, 8, 5500, 6},
+                                              {"porcelain", 45e6F, 0.8F, 12, 20, 5300, 6},
+                                              {"brick", 2e6F, 0.7F, 10, 30, 3000, 6},
+                                              {"concrete", 3e6F, 0.7F, 10, 80, 3700, 6},
+                                              {"stone", 10e6F, 0.7F, 14, 80, 5000, 6},
                                               {"wood", 5e6F, 1.6F, 2, 300, 1500, 4},
                                               {"plaster", 2e6F, 0.7F, 5, 15, 2300, 6},
-                                              {"ice", 1e6F, 0.7F, 6, 2, 3800, 10}}};
+                                              {"ice", 1e6F, 0.7F, 6, 2, 3800, 6}}};
 constexpr Material kOther{"", 1e6F, 0.7F, 10, 50, 3000, 1};
 
 const Material* find(std::string_view name) {

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/bond_network.h"
+#include "core/bond_price.h"
 #include "core/equilibrium.h"
 #include "sherd/runtime/material.h"
 #include "sherd/runtime/structure.h"
@@ -33,9 +34,7 @@ Resistance resistanceOf(const Structure& structure, uint32_t b, const DamageOpti
     };
     const Material& a = materialOf(bond.a);
     const Material& other = bond.b == BondGraph::kWorld ? a : materialOf(bond.b);
-    const double strength = double(bond.strength) * double(structure.health(b)) *
-                            double(options.strengthScale) *
-                            std::pow(double(options.levelScale), double(level));
+    const double strength = double(strengthOf(asset, bond, options)) * double(structure.health(b));
     return {strength, strength * double(std::min(a.shear, other.shear)),
             strength * double(std::min(a.compression, other.compression))};
 }

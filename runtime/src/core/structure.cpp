@@ -23,6 +23,18 @@ void Structure::breakBond(uint32_t bond) {
     lost_[bond] = 1;
 }
 
+void Structure::strengthen(uint32_t bond, float share) {
+    if (isDamaged() && !isBroken(bond)) lost_[bond] = std::max(lost_[bond] - share, 0.0F);
+}
+
+void Structure::pin(uint32_t leaf, bool pinned) {
+    if (pins_.empty()) {
+        if (!pinned) return;
+        pins_.assign(graph().leafCount(), 0);
+    }
+    pins_[leaf] = pinned ? 1 : 0;
+}
+
 void Structure::open(uint32_t fragment) {
     prepare();
     const Range children = asset_->fragment(fragment).children;
@@ -32,49 +44,43 @@ void Structure::open(uint32_t fragment) {
     }
 }
 
-void Structure::islandsOf(std::span<const uint32_t> fragments, std::vector<Island>& islands) const {
-    islands.clear();
-    std::vector<uint32_t> byLeaf(fragments.begin(), fragments.end());
-    const auto firstLeaf = [&](uint32_t f) { return graph().leavesOf(f).first; };
-    std::sort(byLeaf.begin(), byLeaf.end(),
-              [&](uint32_t x, uint32_t y) { return firstLeaf(x) < firstLeaf(y); });
-    std::vector<uint8_t> seen(byLeaf.size(), 0);
-    // Where a fragment lies in `byLeaf`; the count when it is not one of these.
-    const auto placeOf = [&](uint32_t fragment) {
-        const auto found =
-            std::lower_bound(byLeaf.begin(), byLeaf.end(), firstLeaf(fragment),
-                             [&](uint32_t f, uint32_t leaf) { return firstLeaf(f) < leaf; });
-        const bool isHere = found != byLeaf.end() && *found == fragment;
-        return isHere ? size_t(found - byLeaf.begin()) : byLeaf.size();
-    };
-    std::vector<size_t> open;
-    for (size_t start = 0; start < byLeaf.size(); ++start) {
-        if (seen[start] != 0) continue;
-        Island& island = islands.emplace_back();
-        seen[start] = 1;
-        open.assign(1, start);
-        while (!open.empty()) {
-            const uint32_t fragment = byLeaf[open.back()];
-            open.pop_back();
-            island.fragments.push_back(fragment);
-            island.mass += double(asset_->fragment(fragment).mass);
-            const Range leaves = graph().leavesOf(fragment);
+void IslandFinder::find(const Structure& structure, std::span<const uint32_t> fragments) {
+    const BondGraph& graph = structure.graph();
+    islands_.clear();
+    fragments_.clear();
+    if (state_.size() < structure.asset().fragmentCount() || round_ > UINT32_MAX - 2) {
+        state_.assign(std::max<size_t>(structure.asset().fragmentCount(), state_.size()), 0);
+        round_ = 0;
+    }
+    const uint32_t sought = ++round_, found = ++round_;
+    for (const uint32_t fragment : fragments) state_[fragment] = sought;
+    for (const uint32_t start : fragments) {
+        if (state_[start] != sought) continue;
+        Island& island = islands_.emplace_back();
+        island.fragments.first = uint32_t(fragments_.size());
+        state_[start] = found;
+        fragments_.push_back(start);
+        for (size_t next = island.fragments.first; next < fragments_.size(); ++next) {
+            const uint32_t fragment = fragments_[next];
+            island.mass += double(structure.asset().fragment(fragment).mass);
+            const Range leaves = graph.leavesOf(fragment);
             for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
-                for (const BondGraph::Edge& edge : graph().edgesOf(leaf)) {
-                    if (isBroken(edge.bond)) continue;
+                island.anchored = island.anchored || structure.isPinned(leaf);
+                for (const BondGraph::Edge& edge : graph.edgesOf(leaf)) {
+                    if (structure.isBroken(edge.bond)) continue;
                     if (edge.other == BondGraph::kWorld) {
                         island.anchored = true;
                         continue;
                     }
-                    if (graph().contains(fragment, edge.other)) continue;
-                    const size_t place = placeOf(fragmentAt(edge.other));
-                    if (place == byLeaf.size() || seen[place] != 0) continue;
-                    seen[place] = 1;
-                    open.push_back(place);
+                    const uint32_t other = structure.fragmentAt(edge.other);
+                    if (state_[other] != sought) continue;
+                    state_[other] = found;
+                    fragments_.push_back(other);
                 }
             }
         }
-        std::sort(island.fragments.begin(), island.fragments.end());
+        island.fragments.count = uint32_t(fragments_.size()) - island.fragments.first;
+        std::sort(fragments_.begin() + island.fragments.first, fragments_.end());
     }
 }
 

@@ -54,6 +54,9 @@ class Asset {
     /// sum of toughness x area, J. 0 when they share none.
     [[nodiscard]] float breakEnergy(uint32_t f) const { return breakEnergy_[f]; }
 
+    /// Tells bakes apart: of the source's hash, the tree and the bonds (FNV-1a, 64 bit).
+    [[nodiscard]] uint64_t bakeHash() const { return bakeHash_; }
+
     /// Diagonal of the object's bounding box, metres.
     [[nodiscard]] float diagonal() const { return diagonal_; }
 
@@ -67,6 +70,7 @@ class Asset {
     std::vector<Box> boxes_;
     std::vector<float> breakEnergy_;
     float diagonal_ = 0;
+    uint64_t bakeHash_ = 0;
 };
 
 /// The assets of a baked GLB, one per fractured object, in file order. A file that holds none is an

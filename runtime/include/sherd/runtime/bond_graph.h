@@ -24,6 +24,8 @@ class BondGraph {
         float area = 0;                      ///< m^2
         float strength = 0;                  ///< Pa
         float toughness = 0;                 ///< J/m^2
+        float energy =
+            0;  ///< that breaking it consumes: area x toughness x the dissipation of a, J
         uint32_t parting = 0;  ///< the deepest fragment that holds both sides; 0 of anchors
     };
     struct Edge {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 namespace sherd {
@@ -58,6 +59,12 @@ struct HitResult {
     std::vector<uint32_t> bonds;   ///< broken now
     std::vector<uint32_t> opened;  ///< fragments their children stand for now, coarse ones first
 
+    void clear() {
+        consumed = area = 0;
+        level = struck = 0;
+        bonds.clear();
+        opened.clear();
+    }
     [[nodiscard]] bool brokeSomething() const { return !bonds.empty() || !opened.empty(); }
 };
 
@@ -66,12 +73,25 @@ struct HitResult {
 /// them by their area over the square of the distance, and a bond breaks that gets its toughness x
 /// area x dissipation: near and weak ones first. The others keep the damage. What is left descends
 /// into the fragment at the point, level by level, as long as something breaks.
-void applyHit(Structure& structure, const Hit& hit, const DamageOptions& options,
-              HitResult& result);
+class HitSolver {
+  public:
+    HitSolver();
+    ~HitSolver();
+    HitSolver(HitSolver&&) noexcept;
+    HitSolver& operator=(HitSolver&&) noexcept;
 
-/// Breaks a standing fragment out of its neighbours and into its children, whatever it takes.
-/// `consumed` stays 0.
-void shatter(Structure& structure, uint32_t fragment, HitResult& result);
+    void apply(Structure& structure, const Hit& hit, const DamageOptions& options,
+               HitResult& result);
+
+    struct Scratch;  ///< kept from hit to hit, so that they allocate nothing
+
+  private:
+    std::unique_ptr<Scratch> scratch_;
+};
+
+/// Breaks a standing fragment out of its neighbours and, unless it is to stay whole, into its
+/// children, whatever it takes. `consumed` stays 0.
+void shatter(Structure& structure, uint32_t fragment, bool whole, HitResult& result);
 
 /// Whether a hit could still break anything off or within `fragment`.
 bool isBreakable(const Asset& asset, uint32_t fragment, const DamageOptions& options);

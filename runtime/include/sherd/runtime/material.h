@@ -19,9 +19,9 @@ struct Material {
     float compression = 0;  ///< and in compression, the strongest of brittle things
     float toughness = 0;    ///< to make a crack slowly, J per m^2 of bond
     float soundSpeed = 0;   ///< m/s
-    /// Times `toughness`: what breaking fast consumes. Cracks branch, and crush what lies beside
-    /// them: A. Rinehart, "Stress Transients in Solids" (1975), finds ten times the surface energy
-    /// and more.
+    /// Times `toughness`: what breaking fast consumes. A fast crack branches, and makes about six
+    /// times the surface: E. Sharon, S. P. Gross, J. Fineberg, "Energy Dissipation in Dynamic
+    /// Fracture" (1996).
     float dissipation = 1;
 };
 

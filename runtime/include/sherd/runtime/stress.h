@@ -26,8 +26,8 @@ struct OverloadedBond {
 
 /// Finds what the bonds of one anchored island carry under its weight and other loads, a few
 /// iterations at a time. The standing fragments are rigid, the bonds elastic. What does not hang
-/// together with the world by bonds carries no static load: its bonds have no force and no
-/// overload.
+/// together with the world, by bonds or pins, carries no static load: its bonds have no force and
+/// no overload.
 ///
 /// Where it has the numbers of an island or a load not yet, every force and overload is zero: an
 /// unfinished solution overloads bonds that are sound. The same calls give the same bits, whatever

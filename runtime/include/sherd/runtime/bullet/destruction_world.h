@@ -6,10 +6,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "sherd/formats/result.h"
+#include "sherd/runtime/area_damage.h"
 #include "sherd/runtime/asset.h"
-#include "sherd/runtime/damage.h"
 #include "sherd/runtime/events.h"
 #include "sherd/runtime/structure.h"
 
@@ -31,6 +32,8 @@ struct WorldOptions {
     /// Pieces released deeper inside each other than this share of the object's diagonal ignore
     /// each other until they are apart. > 0; smaller lets fewer touching pairs be ignored.
     float overlapTolerance = 1e-5F;
+    /// False: contacts break nothing by themselves; another world decides, and sends its breaks.
+    bool authority = true;
     /// Break events kept until `events` is called; later ones are dropped. >= 1
     uint32_t maxPendingEvents = 65536;
 };
@@ -44,6 +47,17 @@ struct SpawnOptions {
     glm::vec3 angularVelocity{0.0F};  ///< rad/s, world
     int collisionGroup = 0;  ///< Bullet filter bits for the object and its fragments; both 0:
     int collisionMask = 0;   ///< Bullet's defaults
+    /// Pins every leaf that touches something static where the object is put, a wall on its ground.
+    bool anchorToStatic = false;
+};
+
+/// A hit that Bullet's contacts do not show: a ray, a kinematic blade, the game's own physics.
+struct ReportedHit {
+    glm::vec3 point{0.0F};   ///< world, metres
+    glm::vec3 normal{0.0F};  ///< unit, pointing into what is hit; for the event
+    float energy = 0;        ///< J, at most what is consumed
+    float speed = 0;         ///< m/s, which gives the stress
+    float impulse = 0;       ///< N s, for the event and the minimum of the options
 };
 
 /// What a Bullet body of Sherd's stands for.
@@ -77,6 +91,40 @@ class DestructionWorld {
     /// children, without a hit: every child is a body with the velocity of its part. False when it
     /// does not stand or has no children.
     bool breakFragment(ObjectId object, uint32_t fragment = 0);
+
+    /// Lets energy loose on a region in the world, on one object or on all. What comes apart keeps
+    /// its motion. Returns how many bonds broke.
+    Result<uint32_t> damage(ObjectId object, const AreaDamage& damage);
+    Result<uint32_t> damage(const AreaDamage& damage);
+
+    /// The same in a sphere, and throws what of Sherd's is there outwards: `impulsePerArea`, N
+    /// s/m^2 in the core, on the area each body shows to `damage.a`. The game's own bodies are its
+    /// own.
+    Result<uint32_t> explode(const AreaDamage& damage, float impulsePerArea);
+
+    /// A hit on one of Sherd's bodies; `child` as for `find`. Returns the energy consumed, J. The
+    /// hitter is the game's, who takes that from it.
+    Result<float> reportHit(const btCollisionObject& body, const ReportedHit& hit, int child = -1);
+
+    /// Breaks every bond of the object.
+    bool breakAll(ObjectId object);
+    /// Breaks a standing fragment out of its neighbours, whole. False when it does not stand.
+    bool detach(ObjectId object, uint32_t fragment);
+    /// Gives bonds that are not broken `share` of their energy back, 0..1.
+    bool heal(ObjectId object, float share = 1);
+
+    /// Holds all leaves of a fragment to the world, or lets them go again; anchors of the file are
+    /// bonds and only break.
+    bool anchor(ObjectId object, uint32_t fragment, bool anchored = true);
+    /// All leaves whose colliders reach into a box of the world. Returns how many.
+    uint32_t anchorInBox(ObjectId object, const glm::vec3& low, const glm::vec3& high);
+
+    /// The state of an object: its damage, and its bodies with their motion, to the bit. For saved
+    /// games, and for whoever joins late: small when little is broken.
+    [[nodiscard]] std::vector<uint8_t> save(ObjectId object) const;
+    /// Gives an object that was spawned of the same bake the state another one had. Fires no
+    /// events. Bytes are checked before anything changes; those of another bake are refused.
+    Result<void> restore(ObjectId object, std::span<const uint8_t> bytes);
 
     /// Only for `Drive::manual`: measures the hits of the substep just done and breaks what they
     /// break. Call right after every `world.stepSimulation(dt, 0)`; `dt` in seconds, > 0.
