@@ -81,6 +81,7 @@ void BulletBodies::update(const IslandBody& island) {
     Body& slot = bodies_[island.island];
     btRigidBody& body = *slot.body;
     const bool isInWorld = body.isInWorld();
+    const bool wasFixed = body.isStaticObject();
     const btVector3 weight = body.getGravity() * body.getMass();
     if (isInWorld) world_.removeRigidBody(&body);
     const std::unique_ptr<IslandShape> old = std::move(slot.shape);
@@ -95,6 +96,8 @@ void BulletBodies::update(const IslandBody& island) {
     body.setFriction(info.m_friction);
     body.setRestitution(info.m_restitution);
     move(body, island.motion);
+    // Bullet puts what stands fixed to sleep, and it would hang in the air.
+    if (wasFixed && island.mass > 0) body.forceActivationState(ACTIVE_TAG);
     if (isInWorld) addToWorld(slot);
     if (inStep_ && island.mass > 0)
         body.applyCentralForce(body.getGravity() * body.getMass() - weight);

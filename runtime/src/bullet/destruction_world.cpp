@@ -118,6 +118,7 @@ class DestructionWorld::Impl final : public btActionInterface {
         if (islands.islandCount() == 0 || !settings.authority) return;
         bodies.setInStep(inStep);
         breaker.step(dt, inStep);
+        islands.workOnStress(toGlm(world.getGravity()), settings.stressIterations);
         bodies.setInStep(false);
         bodies.released().settle();
     }
@@ -356,6 +357,10 @@ std::optional<BodyInfo> DestructionWorld::find(const btCollisionObject& body, in
 
 const Structure* DestructionWorld::structure(ObjectId object) const {
     return isAlive(object) ? impl_->islands.object(object.index).structure.get() : nullptr;
+}
+
+float DestructionWorld::overload(ObjectId object, uint32_t bond) const {
+    return isAlive(object) ? impl_->islands.overload(object.index, bond) : 0;
 }
 
 uint32_t DestructionWorld::bodyCount() const {

@@ -185,6 +185,7 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
         }
         bodies_.update(body);
         bodies_.afterSplit(index, split_);
+        for (const uint32_t i : split_) strain(i);
         posesListed_ = false;
 
         std::vector<uint32_t>& islands = objects_[kept.object].islands;
@@ -216,6 +217,7 @@ void IslandWorld::replace(uint32_t index, Structure&& structure,
         island.previous = from.previous;
         object.islands.push_back(slot);
         create(slot, from.motion);
+        strain(slot);
     }
 }
 

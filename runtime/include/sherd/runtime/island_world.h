@@ -12,6 +12,7 @@
 #include "sherd/runtime/asset.h"
 #include "sherd/runtime/damage.h"
 #include "sherd/runtime/events.h"
+#include "sherd/runtime/stress.h"
 #include "sherd/runtime/structure.h"
 
 namespace sherd {
@@ -127,6 +128,13 @@ class IslandWorld {
     /// Strikes, and lets come apart what does. Returns the energy consumed, J.
     float takeHit(uint32_t island, uint32_t fragment, const ReportedHit& hit);
 
+    /// Lets anchored islands that have changed find out what their bonds carry under `gravity`,
+    /// m/s^2, world, at most so many iterations of the solver a call, and breaks what is
+    /// overloaded.
+    void workOnStress(const glm::vec3& gravity, uint32_t maxIterations);
+    /// How overloaded a bond of the island was that was solved last: > 1 broke; 0: not known.
+    [[nodiscard]] float overload(uint32_t object, uint32_t bond) const;
+
     /// Damage in the world's frame. Returns the bonds broken.
     uint32_t dealArea(uint32_t object, const AreaDamage& damage);
     bool breakFragment(uint32_t object, uint32_t fragment, bool whole);
@@ -168,6 +176,7 @@ class IslandWorld {
     void create(uint32_t island, const BodyMotion& motion);
     void removeIslands(Object& object);
     void settle(uint32_t island, uint32_t fragment, BreakEvent event);
+    void strain(uint32_t island);
     void addEvent(BreakEvent event, uint32_t island, uint32_t bodies);
 
     BodyTable& bodies_;
@@ -184,6 +193,13 @@ class IslandWorld {
     IslandFinder groups_;  ///< of the island regrouped last
     Change change_ = Change::none;
     std::vector<uint32_t> split_;
+
+    StressSolver stress_;
+    uint32_t stressed_ = UINT32_MAX;  ///< the island that is solved now
+    bool isStressNew_ = false;        ///< it has changed since
+    std::vector<uint32_t> strained_;  ///< islands whose bonds carry something else than they did
+    uint32_t stressedObject_ = UINT32_MAX;
+
     std::vector<FragmentPose> poses_;
     bool posesListed_ = false;
     std::vector<BreakEvent> pending_, taken_;

@@ -29,6 +29,9 @@ struct WorldOptions {
     /// Pieces released deeper inside each other than this share of the object's diagonal ignore
     /// each other until they are apart. > 0; smaller lets fewer touching pairs be ignored.
     float overlapTolerance = 1e-5F;
+    /// Iterations a substep that may be spent on what anchored, broken objects carry at rest; what
+    /// is overloaded breaks. 0: walls stand however they are undercut.
+    uint32_t stressIterations = 4;
     /// False: contacts break nothing by themselves; another world decides, and sends its breaks.
     bool authority = true;
     /// Break events kept until `events` is called; later ones are dropped. >= 1
@@ -139,6 +142,10 @@ class DestructionWorld {
 
     /// Bodies of Sherd's in the world now.
     [[nodiscard]] uint32_t bodyCount() const;
+
+    /// How overloaded a bond is under its load, of the anchored object that was solved last: > 1
+    /// breaks; 0: not known.
+    [[nodiscard]] float overload(ObjectId object, uint32_t bond) const;
 
     /// What is left of each bond of an object, or nullptr when it is gone.
     [[nodiscard]] const Structure* structure(ObjectId object) const;
