@@ -21,8 +21,10 @@ TEST_CASE("a hard hit swaps the intact body for its level 1 fragments") {
     REQUIRE(events.size() == 1);
     CHECK(events[0].object == box);
     CHECK(events[0].fragment == 0);
-    CHECK(events[0].children.first == 1);
-    CHECK(events[0].children.count == 8);
+    CHECK(events[0].bodies == 7);
+    CHECK(events[0].bonds == 12);
+    CHECK(events[0].area == doctest::Approx(3));
+    CHECK(events[0].level == 1);
     CHECK(events[0].approachSpeed == doctest::Approx(10).epsilon(0.01));
     CHECK(events[0].normal.x == doctest::Approx(1).epsilon(0.01));
     CHECK(events[0].point.x == doctest::Approx(-0.5).epsilon(0.02));
@@ -61,17 +63,17 @@ TEST_CASE("the threshold is an energy: it follows speed, mass and the tuning fac
         SpawnOptions options;
         options.dynamic = false;
         options.damage.toughnessScale = toughnessScale;
-        (void)destruction.spawn(makeBox(), at(0, 0, 0), options).value();
+        (void)destruction.spawn(makeBox({.level1 = {2, 1, 1}}), at(0, 0, 0), options).value();
         bullet.addBall(0.2F, mass, btVector3(-1, 0.1F, 0.2F), btVector3(speed, 0, 0));
         return stepUntilBreak(bullet, destruction, 120);
     };
-    // 150 J: 3 kg at 10 m/s.
-    CHECK(breaksAt(10.2F, 3, 1));
-    CHECK_FALSE(breaksAt(9.8F, 3, 1));
-    CHECK(breaksAt(5.1F, 12, 1));
-    CHECK_FALSE(breaksAt(4.9F, 12, 1));
-    CHECK_FALSE(breaksAt(10.2F, 3, 2));
-    CHECK(breaksAt(14.3F, 3, 2));
+    // 50 J: 4 kg at 5 m/s.
+    CHECK(breaksAt(5.1F, 4, 1));
+    CHECK_FALSE(breaksAt(4.9F, 4, 1));
+    CHECK(breaksAt(2.55F, 16, 1));
+    CHECK_FALSE(breaksAt(2.45F, 16, 1));
+    CHECK_FALSE(breaksAt(5.1F, 4, 2));
+    CHECK(breaksAt(7.15F, 4, 2));
 }
 
 TEST_CASE("the energy measured is the same whether one point touches or a face") {
@@ -165,17 +167,22 @@ TEST_CASE("energy left over descends to level 2 around the hit") {
     bullet.addBall(0.2F, 100, btVector3(-2, 0.25F, 0.25F), btVector3(20, 0, 0));
     std::vector<BreakEvent> events;
     REQUIRE(stepUntilBreak(bullet, destruction, 60, &events));
-    REQUIRE(events.size() == 2);
+    REQUIRE(events.size() == 1);
     CHECK(events[0].fragment == 0);
-    const Fragment& struck = asset->fragment(events[1].fragment);
-    CHECK(struck.level == 1);
+    CHECK(events[0].level == 2);
+    CHECK(events[0].consumed <= events[0].energy);
+    CHECK(destruction.bodyCount() == 15);
+    uint32_t broken = 0;
+    for (uint32_t f = 1; f <= 8; ++f) {
+        if (destruction.body(box, f)) continue;
+        broken = f;
+    }
+    REQUIRE(broken != 0);
+    const Fragment& struck = asset->fragment(broken);
     CHECK(struck.centerOfMass.x == doctest::Approx(-0.25));  // the corner that was hit
     CHECK(struck.centerOfMass.y == doctest::Approx(0.25));
     CHECK(struck.centerOfMass.z == doctest::Approx(0.25));
-    CHECK(events[1].energy < events[0].energy - events[0].consumed + 1);
-    CHECK(destruction.bodyCount() == 15);
-    CHECK(destruction.body(box, events[1].fragment) == nullptr);
-    CHECK(destruction.body(box, asset->fragment(events[1].fragment).children.first) != nullptr);
+    CHECK(destruction.body(box, struck.children.first) != nullptr);
 }
 
 TEST_CASE("a fragment lying about breaks when it is hit hard later, and only that one") {

@@ -100,10 +100,9 @@ TEST_CASE("a bond counts where the two sides part, an anchor nowhere") {
     anchor.area = 100;
     set.bonds.push_back(anchor);
     const auto asset = Asset::fromFractureSet(std::move(set)).value();
-    CHECK(asset->bondArea(0) == doctest::Approx(3.0));
     CHECK(asset->breakEnergy(0) == doctest::Approx(150.0));
-    CHECK(asset->bondArea(1) == doctest::Approx(0.25));
-    CHECK(asset->bondArea(9) == 0);
+    CHECK(asset->breakEnergy(1) == doctest::Approx(12.5));
+    CHECK(asset->breakEnergy(9) == 0);
 }
 
 TEST_CASE("a file that does not exist is an error that says so") {

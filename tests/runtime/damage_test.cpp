@@ -30,33 +30,26 @@ TEST_CASE("a contact that stopped only part of the approach brings only that par
 }
 
 TEST_CASE("scales multiply and the stricter minimum and level count when options are combined") {
-    const DamageOptions both = combine({2.0F, 0.5F, 0.1F, 3}, {3.0F, 0.2F, 0.4F, 1});
+    DamageOptions world;
+    world.toughnessScale = 2;
+    world.strengthScale = 3;
+    world.minimumImpulse = 0.5F;
+    world.minimumEnergy = 0.1F;
+    world.maxLevel = 3;
+    DamageOptions object;
+    object.toughnessScale = 3;
+    object.strengthScale = 0.5F;
+    object.levelScale = 0.25F;
+    object.minimumImpulse = 0.2F;
+    object.minimumEnergy = 0.4F;
+    object.immunity = 2;
+    object.maxLevel = 1;
+    const DamageOptions both = combine(world, object);
     CHECK(both.toughnessScale == 6.0F);
+    CHECK(both.strengthScale == 1.5F);
+    CHECK(both.levelScale == 0.25F);
     CHECK(both.minimumImpulse == 0.5F);
     CHECK(both.minimumEnergy == 0.4F);
+    CHECK(both.immunity == 2);
     CHECK(both.maxLevel == 1);
-}
-
-TEST_CASE("a piece breaks exactly from the energy of its bonds on") {
-    const auto asset = Asset::fromFractureSet(test::makeBoxFracture()).value();
-    const float threshold = breakThreshold(*asset, 0, {});
-    CHECK(threshold == doctest::Approx(3 * 50.0));  // three cuts of 1 m^2
-    CHECK(breaks(*asset, 0, threshold, 10, {}));
-    CHECK_FALSE(breaks(*asset, 0, std::nextafter(threshold, 0.0F), 10, {}));
-    CHECK_FALSE(breaks(*asset, 0, std::nanf(""), 10, {}));
-
-    DamageOptions tough;
-    tough.toughnessScale = 2;
-    CHECK(breakThreshold(*asset, 0, tough) == doctest::Approx(2 * threshold));
-    DamageOptions heavyHandedOnly;
-    heavyHandedOnly.minimumImpulse = 20;
-    CHECK_FALSE(breaks(*asset, 0, 1e6F, 10, heavyHandedOnly));
-}
-
-TEST_CASE("a leaf, and a piece at the deepest level allowed, never breaks") {
-    const auto asset = Asset::fromFractureSet(test::makeBoxFracture()).value();
-    CHECK_FALSE(breaks(*asset, 1, 1e30F, 1e30F, {}));
-    DamageOptions unbreakable;
-    unbreakable.maxLevel = 0;
-    CHECK_FALSE(breaks(*asset, 0, 1e30F, 1e30F, unbreakable));
 }

@@ -1,66 +1,42 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <span>
-#include <utility>
 #include <vector>
 
-#include "bullet/body_store.h"
-#include "bullet/overlaps.h"
+#include "bullet/bullet_bodies.h"
 #include "bullet/solved_contacts.h"
 
 namespace sherd {
 
-/// Turns the contacts of a substep into breaks: measures, decides through the core, swaps bodies.
+/// Turns the contacts of a substep into hits on islands: measures them, and when something comes
+/// apart takes the contact back.
 class Breaker {
   public:
-    Breaker(btDynamicsWorld& world, BodyStore& store, const WorldOptions& options)
-        : world_(world), store_(store), options_(options) {}
+    Breaker(btDynamicsWorld& world, BulletBodies& bodies, IslandWorld& islands)
+        : world_(world), bodies_(bodies), islands_(islands) {}
 
     /// Call when a substep has been solved and integrated. `inStep`: from within stepSimulation.
-    void step(double time, float dt, bool inStep);
-    /// Without a hit, between steps.
-    void breakPiece(uint32_t piece, double time);
-    void removeObject(uint32_t object);
-
-    std::span<const BreakEvent> takeEvents();
-    [[nodiscard]] size_t ignoredPairCount() const { return ignored_.size(); }
+    void step(float dt, bool inStep);
 
   private:
-    struct Hit {
+    struct Meeting {
         size_t pair;
         Contact contact;
         float energy;
     };
     struct Strike;
 
-    void findHits();
-    void applyHit(const Hit& hit);
-    [[nodiscard]] uint32_t weakerSide(const Strike& strike, float energy, float impulse) const;
-    void breakSide(Strike& strike, uint32_t side, const Contact& contact, float surplus);
-    std::span<const uint32_t> swap(uint32_t piece, const BreakEvent& event);
-    void joinGroup(uint32_t parent, std::span<const uint32_t> children);
-    void settleOverlaps();
+    void findMeetings();
+    void applyMeeting(const Meeting& meeting);
+    [[nodiscard]] bool canTakeDamage(uint32_t island, const Meeting& meeting) const;
+    float strikeSide(Strike& strike, uint32_t side, const Contact& contact, float energy,
+                     float& surplus);
 
     btDynamicsWorld& world_;
-    BodyStore& store_;
-    WorldOptions options_;
-    IgnoredPairs ignored_;
+    BulletBodies& bodies_;
+    IslandWorld& islands_;
     SolvedContacts contacts_;
-    double time_ = 0;
-    bool inStep_ = false;
-
-    std::vector<Hit> hits_;
-    std::vector<BreakEvent> pending_;
-    std::vector<BreakEvent> taken_;
-    struct Newcomer {
-        uint32_t group;  ///< all that came out of one piece in this step
-        uint32_t piece;
-    };
-    std::vector<Newcomer> newcomers_;
-    uint32_t groupCount_ = 0;
-    std::vector<std::pair<uint32_t, uint32_t>> inherited_;  ///< pieces whose ancestors overlapped
-    std::vector<btCollisionObject*> partners_;
+    std::vector<Meeting> meetings_;
 };
 
 }  // namespace sherd

@@ -20,14 +20,24 @@ std::unique_ptr<btConvexHullShape> makeHull(const FractureSet& set, const Convex
     return shape;
 }
 
+/// Empty, for so many hulls. They have margins of their own.
+std::unique_ptr<btCompoundShape> makeCompound(size_t hulls) {
+    constexpr size_t kTreeWorthwhile = 8;  // below, testing every child is cheaper than a tree
+    auto compound = std::make_unique<btCompoundShape>(hulls > kTreeWorthwhile, int(hulls));
+    compound->setMargin(0);
+    return compound;
+}
+
 }  // namespace
 
 FragmentShapes::FragmentShapes(std::shared_ptr<const Asset> asset) : asset_(std::move(asset)) {
     const FractureSet& set = asset_->set();
     shapes_.reserve(set.fragments.size());
+    firstHull_.reserve(set.fragments.size());
     for (uint32_t f = 0; f < asset_->fragmentCount(); ++f) {
         const Range range = set.fragments[f].hulls;
         const btTransform objectToBody = bodyFrame(f).inverse();
+        firstHull_.push_back(uint32_t(hulls_.size()));
         for (uint32_t h = range.first; h < range.first + range.count; ++h) {
             hulls_.push_back(makeHull(set, set.hulls[h], objectToBody));
         }
@@ -35,17 +45,22 @@ FragmentShapes::FragmentShapes(std::shared_ptr<const Asset> asset) : asset_(std:
             shapes_.push_back(hulls_.back().get());
             continue;
         }
-        constexpr uint32_t kTreeWorthwhile =
-            8;  // below, testing every child is cheaper than a tree
-        auto compound =
-            std::make_unique<btCompoundShape>(range.count > kTreeWorthwhile, int(range.count));
-        compound->setMargin(0);  // the children have their own
-        for (uint32_t h = 0; h < range.count; ++h) {
-            compound->addChildShape(btTransform::getIdentity(),
-                                    hulls_[hulls_.size() - range.count + h].get());
-        }
-        shapes_.push_back(compound.get());
-        compounds_.push_back(std::move(compound));
+        compounds_.push_back(makeCompound(range.count));
+        for (const auto& hull : hulls(f))
+            compounds_.back()->addChildShape(btTransform::getIdentity(), hull.get());
+        shapes_.push_back(compounds_.back().get());
+    }
+}
+
+IslandShape::IslandShape(const FragmentShapes& shapes, std::span<const uint32_t> fragments,
+                         const btTransform& bodyFrame) {
+    for (const uint32_t fragment : fragments)
+        fragments_.insert(fragments_.end(), shapes.hulls(fragment).size(), fragment);
+    compound_ = makeCompound(fragments_.size());
+    const btTransform objectToBody = bodyFrame.inverse();
+    for (const uint32_t fragment : fragments) {
+        const btTransform place = objectToBody * shapes.bodyFrame(fragment);
+        for (const auto& hull : shapes.hulls(fragment)) compound_->addChildShape(place, hull.get());
     }
 }
 

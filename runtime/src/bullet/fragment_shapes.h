@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sherd/runtime/asset.h"
@@ -21,12 +22,34 @@ class FragmentShapes {
     [[nodiscard]] btCollisionShape* shape(uint32_t fragment) const;
     /// Body frame to object frame.
     [[nodiscard]] btTransform bodyFrame(uint32_t fragment) const;
+    /// The fragment's colliders, in its body frame.
+    [[nodiscard]] std::span<const std::unique_ptr<btConvexHullShape>> hulls(
+        uint32_t fragment) const {
+        const Range range = asset_->fragment(fragment).hulls;
+        return std::span(hulls_).subspan(firstHull_[fragment], range.count);
+    }
 
   private:
     std::shared_ptr<const Asset> asset_;
-    std::vector<std::unique_ptr<btConvexHullShape>> hulls_;
+    std::vector<std::unique_ptr<btConvexHullShape>> hulls_;  ///< fragment by fragment
+    std::vector<uint32_t> firstHull_;
     std::vector<std::unique_ptr<btCompoundShape>> compounds_;
     std::vector<btCollisionShape*> shapes_;
+};
+
+/// Several fragments as one body: a compound of all their colliders, side by side.
+class IslandShape {
+  public:
+    IslandShape(const FragmentShapes& shapes, std::span<const uint32_t> fragments,
+                const btTransform& bodyFrame);
+
+    [[nodiscard]] btCollisionShape* shape() const { return compound_.get(); }
+    /// The fragment that a child of the compound belongs to.
+    [[nodiscard]] uint32_t fragmentOf(int child) const { return fragments_[size_t(child)]; }
+
+  private:
+    std::unique_ptr<btCompoundShape> compound_;
+    std::vector<uint32_t> fragments_;  ///< per child
 };
 
 }  // namespace sherd

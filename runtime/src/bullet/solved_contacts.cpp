@@ -44,6 +44,11 @@ SolvedPair sumPoints(const btPersistentManifold& manifold, const btVector3& orig
         sum.normal += push;
         sum.point += (placeA + placeB) * (btScalar(0.5) * contact.m_appliedImpulse);
         sum.normalImpulse += contact.m_appliedImpulse;
+        if (contact.m_appliedImpulse > sum.largestImpulse) {
+            sum.largestImpulse = contact.m_appliedImpulse;
+            sum.childA = contact.m_index0;
+            sum.childB = contact.m_index1;
+        }
         if (contact.m_appliedImpulse > 0) sum.gap = std::min(sum.gap, float(contact.getDistance()));
         sum.impulse += total;
         sum.twistA += placeA.cross(total);
@@ -107,6 +112,7 @@ void SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep) {
         if (swapped) {
             pair.normal = -pair.normal;
             pair.impulse = -pair.impulse;
+            std::swap(pair.childA, pair.childB);
             std::swap(pair.twistA, pair.twistB);
             pair.twistA = -pair.twistA;
             pair.twistB = -pair.twistB;
@@ -143,6 +149,11 @@ void SolvedContacts::mergePairs() {
             last->point += pair.point;
             last->normalImpulse += pair.normalImpulse;
             last->gap = std::min(last->gap, pair.gap);
+            if (pair.largestImpulse > last->largestImpulse) {
+                last->largestImpulse = pair.largestImpulse;
+                last->childA = pair.childA;
+                last->childB = pair.childB;
+            }
             last->impulse += pair.impulse;
             last->twistA += pair.twistA;
             last->twistB += pair.twistB;

@@ -14,9 +14,12 @@ namespace sherd {
 struct SolvedPair {
     uint32_t a = 0;  ///< into SolvedContacts::bodies
     uint32_t b = 0;
-    btVector3 normal{0, 0, 0};   ///< unit, from b to a
-    btVector3 point{0, 0, 0};    ///< world; where the impulses' mean acts
-    float normalImpulse = 0;     ///< N s
+    btVector3 normal{0, 0, 0};  ///< unit, from b to a
+    btVector3 point{0, 0, 0};   ///< world; where the impulses' mean acts
+    float normalImpulse = 0;    ///< N s
+    int childA = -1;            ///< of a's compound, where the largest impulse acted; -1: none
+    int childB = -1;
+    float largestImpulse = 0;    ///< of one point, N s
     float gap = BT_LARGE_FLOAT;  ///< least distance of its points, metres; negative: penetrating
     btVector3 impulse{0, 0, 0};  ///< on a, with friction; b got the opposite, N s
     btVector3 twistA{0, 0, 0};   ///< moment of the impulses about `point`, on a, N m s

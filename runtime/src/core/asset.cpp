@@ -1,27 +1,75 @@
 // SPDX-License-Identifier: MIT
 #include "sherd/runtime/asset.h"
 
+#include <bit>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <new>
 #include <utility>
 
 #include "core/asset_validation.h"
+#include "core/mass_properties.h"
 #include "sherd/formats/glb_read.h"
 
 namespace sherd {
 namespace {
 
-/// The children of `from` on the path down to `leaf`'s side: walks up from both ends of a bond to
-/// the fragment under which they part. That fragment's break is the one that must break the bond.
-int32_t partingFragment(const std::vector<Fragment>& fragments, int32_t a, int32_t b) {
-    while (a != b) {
-        // Parents lie in front of their children, so the larger index is never the common ancestor.
-        int32_t& deeper = a > b ? a : b;
-        deeper = fragments[size_t(deeper)].parent;
-        if (deeper < 0) return -1;
+/// Leaves scaled so that they make up the object's mass, everything above them composed of them.
+void composeMasses(std::vector<Fragment>& fragments) {
+    double leaves = 0;
+    for (const Fragment& fragment : fragments)
+        if (fragment.children.count == 0) leaves += double(fragment.mass);
+    const double scale = double(fragments[0].mass) / leaves;
+    std::vector<MassProperties> sums(fragments.size());
+    for (size_t f = fragments.size(); f-- > 0;) {
+        Fragment& fragment = fragments[f];
+        if (fragment.children.count == 0) {
+            fragment.mass = float(scale * double(fragment.mass));
+            fragment.inertiaDiagonal = glm::vec3(scale * glm::dvec3(fragment.inertiaDiagonal));
+            sums[f] = massOf(fragment);
+        } else {
+            for (uint32_t c = 0; c < fragment.children.count; ++c)
+                sums[f] = sums[f] + sums[fragment.children.first + c];
+            const PrincipalInertia principal = principalInertia(sums[f]);
+            fragment.mass = float(sums[f].mass);
+            fragment.centerOfMass = glm::vec3(sums[f].center);
+            fragment.inertiaDiagonal = principal.diagonal;
+            fragment.inertiaOrientation = principal.orientation;
+        }
     }
-    return a;
+}
+
+/// Fowler, Noll, Vo (1991).
+uint64_t hashOf(const FractureSet& set) {
+    uint64_t hash = 0xcbf29ce484222325;
+    const auto mix = [&hash](uint64_t number) {
+        for (int i = 0; i < 64; i += 8) hash = (hash ^ ((number >> i) & 0xff)) * 0x100000001b3;
+    };
+    for (const char c : set.sourceHash) mix(uint8_t(c));
+    for (const Fragment& fragment : set.fragments) {
+        mix(fragment.children.first);
+        mix(fragment.children.count);
+    }
+    for (const Bond& bond : set.bonds) {
+        mix(uint32_t(bond.a));
+        mix(uint32_t(bond.b));
+        mix(std::bit_cast<uint32_t>(bond.area));
+    }
+    return hash;
+}
+
+Asset::Box boxAround(const FractureSet& set, const Fragment& fragment) {
+    Asset::Box box{glm::vec3(HUGE_VALF), glm::vec3(-HUGE_VALF)};
+    for (uint32_t h = 0; h < fragment.hulls.count; ++h) {
+        const ConvexHull& hull = set.hulls[fragment.hulls.first + h];
+        for (uint32_t p = 0; p < hull.points.count; ++p) {
+            const glm::vec3& point = set.hullPoints[hull.points.first + p];
+            box.low = glm::min(box.low, point - hull.margin);
+            box.high = glm::max(box.high, point + hull.margin);
+        }
+    }
+    return box;
 }
 
 float boundingDiagonal(const std::vector<glm::vec3>& points) {
@@ -68,7 +116,7 @@ Result<std::vector<std::shared_ptr<const Asset>>> loadGuarded(const Source& sour
 
 }  // namespace
 
-Asset::Asset(FractureSet set) : set_(std::move(set)) {
+Asset::Asset(FractureSet set) : set_(std::move(set)), graph_(set_) {
     const size_t primitiveCount = set_.geometry.primitives.size();
     for (size_t f = 0; f < set_.fragments.size(); ++f) {
         const auto first = uint32_t(drawRanges_.size());
@@ -80,16 +128,13 @@ Asset::Asset(FractureSet set) : set_(std::move(set)) {
         }
         drawRangesOf_.push_back({first, uint32_t(drawRanges_.size()) - first});
     }
-    bondArea_.assign(set_.fragments.size(), 0.0F);
     breakEnergy_.assign(set_.fragments.size(), 0.0F);
-    for (const Bond& bond : set_.bonds) {
-        if (bond.b < 0)
-            continue;  // an anchor holds the object to the world, not its pieces together
-        const int32_t parting = partingFragment(set_.fragments, bond.a, bond.b);
-        if (parting < 0) continue;
-        bondArea_[size_t(parting)] += bond.area;
-        breakEnergy_[size_t(parting)] += bond.area * bond.toughness;
-    }
+    // An anchor holds the object to the world, not its pieces together.
+    for (const BondGraph::Bond& bond : graph_.bonds())
+        if (bond.b != BondGraph::kWorld) breakEnergy_[bond.parting] += bond.area * bond.toughness;
+    for (const Fragment& fragment : set_.fragments) boxes_.push_back(boxAround(set_, fragment));
+    composeMasses(set_.fragments);
+    bakeHash_ = hashOf(set_);
     diagonal_ = boundingDiagonal(set_.hullPoints);
 }
 

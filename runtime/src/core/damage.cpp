@@ -2,9 +2,9 @@
 #include "sherd/runtime/damage.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "sherd/runtime/asset.h"
+#include "sherd/runtime/material.h"
 
 namespace sherd {
 
@@ -18,24 +18,28 @@ float contactEnergy(const Contact& contact) {
     return impulse * contact.approachSpeed - impulse * impulse / (2 * contact.effectiveMass);
 }
 
+float contactStress(const Asset& asset, uint32_t fragment, float approachSpeed) {
+    constexpr float kConcentration = 3;
+    const Fragment& struck = asset.fragment(fragment);
+    const float wave = 0.5F * struck.density * materialNamed(struck.material).soundSpeed;
+    return kConcentration * wave * std::max(approachSpeed, 0.0F);
+}
+
 DamageOptions combine(const DamageOptions& world, const DamageOptions& object) {
-    return {world.toughnessScale * object.toughnessScale,
-            std::max(world.minimumImpulse, object.minimumImpulse),
-            std::max(world.minimumEnergy, object.minimumEnergy),
-            std::min(world.maxLevel, object.maxLevel)};
+    DamageOptions both;
+    both.toughnessScale = world.toughnessScale * object.toughnessScale;
+    both.strengthScale = world.strengthScale * object.strengthScale;
+    both.levelScale = world.levelScale * object.levelScale;
+    both.minimumImpulse = std::max(world.minimumImpulse, object.minimumImpulse);
+    both.minimumEnergy = std::max(world.minimumEnergy, object.minimumEnergy);
+    both.immunity = std::max(world.immunity, object.immunity);
+    both.maxLevel = std::min(world.maxLevel, object.maxLevel);
+    return both;
 }
 
-float breakThreshold(const Asset& asset, uint32_t fragment, const DamageOptions& options) {
+bool isBreakable(const Asset& asset, uint32_t fragment, const DamageOptions& options) {
     const Fragment& piece = asset.fragment(fragment);
-    if (piece.children.count == 0 || piece.level >= options.maxLevel) {
-        return std::numeric_limits<float>::infinity();
-    }
-    return std::max(options.minimumEnergy, asset.breakEnergy(fragment) * options.toughnessScale);
-}
-
-bool breaks(const Asset& asset, uint32_t fragment, float energy, float impulse,
-            const DamageOptions& options) {
-    return impulse >= options.minimumImpulse && energy >= breakThreshold(asset, fragment, options);
+    return piece.children.count > 0 && piece.level < options.maxLevel;
 }
 
 }  // namespace sherd

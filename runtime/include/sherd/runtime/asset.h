@@ -9,6 +9,7 @@
 
 #include "sherd/formats/fracture_set.h"
 #include "sherd/formats/result.h"
+#include "sherd/runtime/bond_graph.h"
 
 namespace sherd {
 
@@ -20,6 +21,8 @@ struct DrawRange {
 };
 
 /// A baked object ready for use in a game: immutable, shared by any number of worlds and threads.
+/// Masses differ from the file's where those did not add up: the parts of every fragment compose to
+/// it, and the leaves to the mass of the object.
 class Asset {
   public:
     /// Checks every index, count and number of the set, whoever made it, and takes it over.
@@ -38,12 +41,21 @@ class Asset {
     /// What fragment f shows as a body of its own (fragment 0: the intact object).
     [[nodiscard]] std::span<const DrawRange> drawRanges(uint32_t f) const;
 
-    /// Area of the bonds that must break before f falls into its children, m^2.
-    [[nodiscard]] float bondArea(uint32_t f) const { return bondArea_[f]; }
+    /// The leaves and the bonds that hold them together.
+    [[nodiscard]] const BondGraph& graph() const { return graph_; }
 
-    /// Energy those bonds consume: the sum of toughness x area, J. 0 when the children share no
-    /// bond.
+    /// Around a fragment's colliders, object frame.
+    struct Box {
+        glm::vec3 low, high;
+    };
+    [[nodiscard]] const Box& box(uint32_t f) const { return boxes_[f]; }
+
+    /// Energy that breaking every bond among the children of f would consume at dissipation 1: the
+    /// sum of toughness x area, J. 0 when they share none.
     [[nodiscard]] float breakEnergy(uint32_t f) const { return breakEnergy_[f]; }
+
+    /// Tells bakes apart: of the source's hash, the tree and the bonds (FNV-1a, 64 bit).
+    [[nodiscard]] uint64_t bakeHash() const { return bakeHash_; }
 
     /// Diagonal of the object's bounding box, metres.
     [[nodiscard]] float diagonal() const { return diagonal_; }
@@ -54,9 +66,11 @@ class Asset {
     FractureSet set_;
     std::vector<DrawRange> drawRanges_;
     std::vector<Range> drawRangesOf_;  ///< per fragment, into drawRanges_
-    std::vector<float> bondArea_;
+    BondGraph graph_;
+    std::vector<Box> boxes_;
     std::vector<float> breakEnergy_;
     float diagonal_ = 0;
+    uint64_t bakeHash_ = 0;
 };
 
 /// The assets of a baked GLB, one per fractured object, in file order. A file that holds none is an

@@ -19,12 +19,15 @@ struct ObjectId {
     friend bool operator==(ObjectId, ObjectId) = default;
 };
 
-/// A fragment (0: the intact object) has just been replaced by its children.
+/// Bonds of an object have just broken, and what they held together may have come apart.
 struct BreakEvent {
     ObjectId object;
     const Asset* asset = nullptr;
-    uint32_t fragment = 0;    ///< what broke
-    Range children;           ///< the fragments that took its place
+    uint32_t fragment = 0;    ///< that was struck, or broken by the game
+    uint32_t level = 0;       ///< the deepest at which something broke
+    uint32_t bonds = 0;       ///< broken
+    float area = 0;           ///< of them, m^2
+    uint32_t bodies = 0;      ///< that came off; 0: cracked, but still in one piece
     glm::vec3 point{0.0F};    ///< of the hit, world, metres
     glm::vec3 normal{0.0F};   ///< unit, pointing into what broke; zero: broken without a hit
     float impulse = 0;        ///< of the hit along the normal, N s

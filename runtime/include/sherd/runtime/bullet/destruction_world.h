@@ -6,11 +6,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "sherd/formats/result.h"
-#include "sherd/runtime/asset.h"
-#include "sherd/runtime/damage.h"
-#include "sherd/runtime/events.h"
+#include "sherd/runtime/island_world.h"
 
 class btCollisionObject;
 class btDynamicsWorld;
@@ -27,26 +26,35 @@ enum class Drive {
 struct WorldOptions {
     Drive drive = Drive::action;
     DamageOptions damage;  ///< for every object; each spawn may add its own
-    /// Siblings released deeper inside each other than this share of the object's diagonal ignore
+    /// Pieces released deeper inside each other than this share of the object's diagonal ignore
     /// each other until they are apart. > 0; smaller lets fewer touching pairs be ignored.
     float overlapTolerance = 1e-5F;
+    /// Iterations a substep that may be spent on what anchored, broken objects carry at rest; what
+    /// is overloaded breaks. 0: walls stand however they are undercut.
+    uint32_t stressIterations = 4;
+    /// False: contacts break nothing by themselves; another world decides, and sends its breaks.
+    bool authority = true;
     /// Break events kept until `events` is called; later ones are dropped. >= 1
     uint32_t maxPendingEvents = 65536;
 };
 
 struct SpawnOptions {
-    bool dynamic = true;  ///< false: the intact object stands fixed; its fragments always move
+    /// False: the intact object stands fixed until something comes off. Objects baked with anchors
+    /// stand by those, as long as one holds, and whatever this says.
+    bool dynamic = true;
     DamageOptions damage;
     glm::vec3 linearVelocity{0.0F};   ///< of the centre of mass, m/s, world
     glm::vec3 angularVelocity{0.0F};  ///< rad/s, world
     int collisionGroup = 0;  ///< Bullet filter bits for the object and its fragments; both 0:
     int collisionMask = 0;   ///< Bullet's defaults
+    /// Pins every leaf that touches something static where the object is put, a wall on its ground.
+    bool anchorToStatic = false;
 };
 
 /// What a Bullet body of Sherd's stands for.
 struct BodyInfo {
     ObjectId object;
-    uint32_t fragment = 0;
+    uint32_t fragment = 0;  ///< the first, or the one a child of its compound shape belongs to
 };
 
 /// Breaks baked objects in a Bullet world that belongs to the game.
@@ -70,9 +78,44 @@ class DestructionWorld {
     /// Takes the object and all its fragments out. False when the handle is no longer valid.
     bool remove(ObjectId object);
 
-    /// Replaces a fragment that stands in the world (0: the intact object) by its children without
-    /// a hit: every child carries the velocity of its part. False when there is nothing to break.
+    /// Breaks a standing fragment (0: the intact object) out of its neighbours and into its
+    /// children, without a hit: every child is a body with the velocity of its part. False when it
+    /// does not stand or has no children.
     bool breakFragment(ObjectId object, uint32_t fragment = 0);
+
+    /// Lets energy loose on a region in the world, on one object or on all. What comes apart keeps
+    /// its motion. Returns how many bonds broke.
+    Result<uint32_t> damage(ObjectId object, const AreaDamage& damage);
+    Result<uint32_t> damage(const AreaDamage& damage);
+
+    /// The same in a sphere, and throws what of Sherd's is there outwards: `impulsePerArea`, N
+    /// s/m^2 in the core, on the area each body shows to `damage.a`. The game's own bodies are its
+    /// own.
+    Result<uint32_t> explode(const AreaDamage& damage, float impulsePerArea);
+
+    /// A hit on one of Sherd's bodies; `child` as for `find`. Returns the energy consumed, J. The
+    /// hitter is the game's, who takes that from it.
+    Result<float> reportHit(const btCollisionObject& body, const ReportedHit& hit, int child = -1);
+
+    /// Breaks every bond of the object.
+    bool breakAll(ObjectId object);
+    /// Breaks a standing fragment out of its neighbours, whole. False when it does not stand.
+    bool detach(ObjectId object, uint32_t fragment);
+    /// Gives bonds that are not broken `share` of their energy back, 0..1.
+    bool heal(ObjectId object, float share = 1);
+
+    /// Holds all leaves of a fragment to the world, or lets them go again; anchors of the file are
+    /// bonds and only break.
+    bool anchor(ObjectId object, uint32_t fragment, bool anchored = true);
+    /// All leaves whose colliders reach into a box of the world. Returns how many.
+    uint32_t anchorInBox(ObjectId object, const glm::vec3& low, const glm::vec3& high);
+
+    /// The state of an object: its damage, and its bodies with their motion, to the bit. For saved
+    /// games, and for whoever joins late: small when little is broken.
+    [[nodiscard]] std::vector<uint8_t> save(ObjectId object) const;
+    /// Gives an object that was spawned of the same bake the state another one had. Fires no
+    /// events. Bytes are checked before anything changes; those of another bake are refused.
+    Result<void> restore(ObjectId object, std::span<const uint8_t> bytes);
 
     /// Only for `Drive::manual`: measures the hits of the substep just done and breaks what they
     /// break. Call right after every `world.stepSimulation(dt, 0)`; `dt` in seconds, > 0.
@@ -88,16 +131,24 @@ class DestructionWorld {
 
     [[nodiscard]] bool isAlive(ObjectId object) const;
 
-    /// The body that stands for a fragment, or null. It lives until that fragment breaks or is
-    /// removed. The game may push it; it must not remove or delete it.
+    /// The body that a standing fragment is part of, or null. The largest part of what breaks keeps
+    /// its body. The game may push it; it must not delete it.
     [[nodiscard]] btRigidBody* body(ObjectId object, uint32_t fragment = 0) const;
 
     /// What a body found by the game (ray cast, contact) stands for; nothing when it is not
-    /// Sherd's.
-    [[nodiscard]] std::optional<BodyInfo> find(const btCollisionObject& body) const;
+    /// Sherd's. `child`: the index of the compound's child that Bullet gives with a contact point
+    /// or a ray's `LocalShapeInfo`.
+    [[nodiscard]] std::optional<BodyInfo> find(const btCollisionObject& body, int child = -1) const;
 
     /// Bodies of Sherd's in the world now.
     [[nodiscard]] uint32_t bodyCount() const;
+
+    /// How overloaded a bond is under its load, of the anchored object that was solved last: > 1
+    /// breaks; 0: not known.
+    [[nodiscard]] float overload(ObjectId object, uint32_t bond) const;
+
+    /// What is left of each bond of an object, or nullptr when it is gone.
+    [[nodiscard]] const Structure* structure(ObjectId object) const;
 
     /// Pairs that overlapped when released and still ignore each other.
     [[nodiscard]] uint32_t ignoredPairCount() const;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sherd/runtime/asset.h"
+
+namespace sherd {
+
+/// How far one object is broken: which fragments stand for it, and what is left of each bond. Knows
+/// no physics engine and no motion. Memory is taken at the first damage, none for a whole object.
+class Structure {
+  public:
+    explicit Structure(std::shared_ptr<const Asset> asset) : asset_(std::move(asset)) {}
+
+    [[nodiscard]] const Asset& asset() const { return *asset_; }
+    [[nodiscard]] const BondGraph& graph() const { return asset_->graph(); }
+
+    /// The standing fragment that holds a leaf.
+    [[nodiscard]] uint32_t fragmentAt(uint32_t leaf) const {
+        return standing_.empty() ? 0 : standing_[leaf];
+    }
+    [[nodiscard]] bool stands(uint32_t fragment) const {
+        return fragmentAt(graph().leavesOf(fragment).first) == fragment;
+    }
+    /// What is left of a bond: 1 sound, 0 broken.
+    [[nodiscard]] float health(uint32_t bond) const { return lost_.empty() ? 1 : 1 - lost_[bond]; }
+    /// What it has lost, to the bit: 0 sound, 1 broken.
+    [[nodiscard]] float lost(uint32_t bond) const { return lost_.empty() ? 0 : lost_[bond]; }
+    [[nodiscard]] bool isBroken(uint32_t bond) const { return !lost_.empty() && lost_[bond] >= 1; }
+    /// Whether anything but sound bonds and the intact object was ever seen.
+    [[nodiscard]] bool isDamaged() const { return !lost_.empty(); }
+
+    /// Takes `share` of the sound bond's energy from it, but never so much that it breaks.
+    void weaken(uint32_t bond, float share);
+    void breakBond(uint32_t bond);
+    /// Gives `share` of its energy back to a bond that is not broken.
+    void strengthen(uint32_t bond, float share);
+    /// Puts a fragment's children in its place. It must stand and have some.
+    void open(uint32_t fragment);
+
+    /// Holds a leaf to the world, or lets it go: an anchor that no hit breaks.
+    void pin(uint32_t leaf, bool pinned);
+    [[nodiscard]] bool isPinned(uint32_t leaf) const { return !pins_.empty() && pins_[leaf] != 0; }
+
+  private:
+    void prepare();
+
+    std::shared_ptr<const Asset> asset_;
+    std::vector<uint32_t> standing_;  ///< per leaf
+    std::vector<float> lost_;         ///< per bond
+    std::vector<uint8_t> pins_;       ///< per leaf
+};
+
+/// The connected groups that standing fragments form. Keeps its memory from one search to the next.
+class IslandFinder {
+  public:
+    /// Its fragments hold together by bonds that are not broken.
+    struct Island {
+        Range fragments;        ///< into the finder's list
+        bool anchored = false;  ///< by a bond to the world that is not broken, or a pin
+        double mass = 0;        ///< kg
+    };
+    /// Of these, all standing; bonds to others do not count.
+    void find(const Structure& structure, std::span<const uint32_t> fragments);
+
+    /// In the order of their first fragments.
+    [[nodiscard]] std::span<const Island> islands() const { return islands_; }
+    /// Ascending.
+    [[nodiscard]] std::span<const uint32_t> fragmentsOf(const Island& island) const {
+        return std::span(fragments_).subspan(island.fragments.first, island.fragments.count);
+    }
+
+  private:
+    std::vector<Island> islands_;
+    std::vector<uint32_t> fragments_;
+    std::vector<uint32_t> state_;  ///< per fragment of the asset: the round it is sought, or found
+    uint32_t round_ = 0;
+};
+
+}  // namespace sherd

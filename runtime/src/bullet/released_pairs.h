@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "bullet/overlaps.h"
+
+namespace sherd {
+
+class BulletBodies;
+
+/// Finds out which of the islands released together overlap, so that they ignore each other until
+/// they are apart.
+class ReleasedPairs {
+  public:
+    /// `tolerance`: share of the object's diagonal that counts as touching.
+    ReleasedPairs(BulletBodies& bodies, float tolerance) : bodies_(bodies), tolerance_(tolerance) {}
+
+    void beforeSplit(uint32_t island);
+    void afterSplit(uint32_t parent, std::span<const uint32_t> islands);
+    /// Bodies that were put into the world at once.
+    void addGroup(std::span<const uint32_t> islands);
+    void forget(uint32_t island);
+    /// Tests all that was released since the last call.
+    void settle();
+
+    /// Lets pairs that came apart collide again.
+    void releaseSeparated() { ignored_.releaseSeparated(); }
+    [[nodiscard]] size_t ignoredCount() const { return ignored_.size(); }
+
+  private:
+    BulletBodies& bodies_;
+    float tolerance_;
+    IgnoredPairs ignored_;
+    struct Newcomer {
+        uint32_t group;  ///< all that came out of one body since the last `settle`
+        uint32_t island;
+    };
+    std::vector<Newcomer> newcomers_;
+    uint32_t groupCount_ = 0;
+    std::vector<std::pair<uint32_t, uint32_t>> inherited_;  ///< overlapped as parts of others
+    std::vector<btCollisionObject*> partners_;
+};
+
+}  // namespace sherd

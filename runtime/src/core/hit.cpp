@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+// How energy spreads from a contact over the bond graph. A crack that has started runs: all leaf
+// bonds between two standing fragments fail as one.
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <tuple>
+
+#include "core/bond_price.h"
+#include "sherd/runtime/structure.h"
+
+namespace sherd {
+namespace {
+
+/// All that is left of the bonds between two fragments, or of one and the world.
+struct Seam {
+    uint32_t a, b;
+    float energy = 0;    ///< that breaking it would consume, J
+    float area = 0;      ///< m^2
+    float strength = 0;  ///< of its weakest bond, Pa
+    float need = 0;      ///< the factor from which it breaks
+    float near = 0;      ///< how near it is: 1 at the point, falling with distance
+    uint32_t firstBond = 0, bondCount = 0;
+};
+
+struct Crossing {
+    uint32_t other, bond;
+};
+
+}  // namespace
+
+struct HitSolver::Scratch {
+    std::vector<Seam> seams;      ///< that fail at this stress
+    std::vector<uint32_t> bonds;  ///< of the seams
+    std::vector<Crossing> crossings;
+    std::vector<uint32_t> front;  ///< fragments reached, in that order
+    /// Per fragment: the round in which it was reached, and the one in which its seams were found.
+    std::vector<uint32_t> reached, done;
+    uint32_t round = 0;
+
+    void nextRound(uint32_t fragments) {
+        if (reached.size() < fragments) {
+            reached.resize(fragments, 0);
+            done.resize(fragments, 0);
+        }
+        if (++round == 0) {
+            std::fill(reached.begin(), reached.end(), 0U);
+            std::fill(done.begin(), done.end(), 0U);
+            round = 1;
+        }
+        seams.clear();
+        bonds.clear();
+        front.clear();
+    }
+    void reach(uint32_t fragment) {
+        if (reached[fragment] == round) return;
+        reached[fragment] = round;
+        front.push_back(fragment);
+    }
+};
+
+namespace {
+
+class Spreading {
+  public:
+    Spreading(Structure& structure, const Hit& hit, const DamageOptions& options,
+              HitSolver::Scratch& scratch)
+        : structure_(structure),
+          graph_(structure.graph()),
+          hit_(hit),
+          options_(options),
+          scratch_(scratch) {}
+
+    void run(HitResult& result) {
+        result.clear();
+        uint32_t target = hit_.fragment;
+        float left = hit_.energy;
+        while (left > 0) {
+            divided_ = isBreakable(structure_.asset(), target, options_) ? target : kNone;
+            findSeams(target);
+            const float before = left;
+            const bool opens = breakSeams(left, result);
+            result.consumed += before - left;
+            if (!opens) break;
+            structure_.open(target);
+            result.opened.push_back(target);
+            target = childAt(target);
+        }
+        result.struck = target;
+    }
+
+  private:
+    static constexpr uint32_t kNone = UINT32_MAX;
+
+    /// The fragment a leaf counts for now.
+    uint32_t sideOf(uint32_t leaf) const {
+        if (leaf == BondGraph::kWorld) return kNone;
+        const uint32_t fragment = structure_.fragmentAt(leaf);
+        return fragment == divided_ ? graph_.childWith(fragment, leaf) : fragment;
+    }
+    /// How near a place is, 1..0: one radius of the struck fragment away it is 1/2.
+    float nearness(const glm::vec3& place) const {
+        return radius_ / (radius_ + glm::distance(place, hit_.point));
+    }
+    void findSeams(uint32_t target);
+    void addSeamsOf(uint32_t side);
+    bool breakSeams(float& left, HitResult& result);
+    uint32_t childAt(uint32_t fragment) const;
+
+    Structure& structure_;
+    const BondGraph& graph_;
+    const Hit& hit_;
+    const DamageOptions& options_;
+    uint32_t divided_ = kNone;  ///< standing, but seen as its children
+    float radius_ = 0;          ///< of the struck fragment, half of its diagonal, metres
+    HitSolver::Scratch& scratch_;
+};
+
+/// From the struck fragment on, through every seam the stress can break.
+void Spreading::findSeams(uint32_t target) {
+    scratch_.nextRound(structure_.asset().fragmentCount());
+    // Half across, not of equal volume: thin walls guide what strikes them farther than it would go
+    // in a lump.
+    const auto& [low, high] = structure_.asset().box(target);
+    radius_ = std::max(0.5F * glm::distance(low, high), std::numeric_limits<float>::min());
+    if (divided_ == kNone) {
+        scratch_.reach(target);
+    } else {
+        const Range children = structure_.asset().fragment(target).children;
+        for (uint32_t c = 0; c < children.count; ++c) scratch_.reach(children.first + c);
+    }
+    for (size_t i = 0; i < scratch_.front.size(); ++i) addSeamsOf(scratch_.front[i]);
+}
+
+void Spreading::addSeamsOf(uint32_t side) {
+    auto& [seams, bonds, crossings, front, reached, done, round] = scratch_;
+    done[side] = round;
+    crossings.clear();
+    const Range leaves = graph_.leavesOf(side);
+    for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+        for (const BondGraph::Edge& edge : graph_.edgesOf(leaf)) {
+            const bool isInner =
+                edge.other != BondGraph::kWorld && graph_.contains(side, edge.other);
+            if (isInner || structure_.isBroken(edge.bond)) continue;
+            const uint32_t other = sideOf(edge.other);
+            if (other == kNone || done[other] != round) crossings.push_back({other, edge.bond});
+        }
+    }
+    std::sort(crossings.begin(), crossings.end(), [](const Crossing& x, const Crossing& y) {
+        return std::tie(x.other, x.bond) < std::tie(y.other, y.bond);
+    });
+    for (size_t i = 0; i < crossings.size();) {
+        const uint32_t other = crossings[i].other;
+        Seam seam{side, other};
+        seam.firstBond = uint32_t(bonds.size());
+        seam.strength = HUGE_VALF;
+        for (; i < crossings.size() && crossings[i].other == other; ++i) {
+            const uint32_t b = crossings[i].bond;
+            const BondGraph::Bond& bond = graph_.bond(b);
+            seam.area += bond.area;
+            seam.energy += priceOf(structure_.asset(), bond, options_) * structure_.health(b);
+            seam.strength = std::min(seam.strength, strengthOf(structure_.asset(), bond, options_));
+            seam.near = std::max(seam.near, nearness(bond.centroid));
+            bonds.push_back(b);
+        }
+        seam.bondCount = uint32_t(bonds.size()) - seam.firstBond;
+        if (!(hit_.stress * seam.near > seam.strength)) {
+            bonds.resize(seam.firstBond);
+            continue;
+        }
+        seams.push_back(seam);
+        if (other != kNone) scratch_.reach(other);
+    }
+}
+
+/// Gives every seam its share of the energy. Returns whether the divided fragment falls open.
+bool Spreading::breakSeams(float& left, HitResult& result) {
+    const auto isInside = [&](const Seam& seam) {
+        const auto parentOf = [&](uint32_t f) {
+            return f == kNone ? int32_t(-1) : structure_.asset().fragment(f).parent;
+        };
+        return divided_ != kNone && parentOf(seam.a) == int32_t(divided_) &&
+               parentOf(seam.b) == int32_t(divided_);
+    };
+    // Of a factor f, a seam gets f x near^2 x area, or all it can take: it breaks from f = need on.
+    // With the seams in that order, those in front break, the others share the rest.
+    const auto weight = [](const Seam& seam) { return seam.near * seam.near * seam.area; };
+    for (Seam& seam : scratch_.seams)
+        seam.need = seam.energy > 0 ? seam.energy / weight(seam) : 0.0F;
+    std::sort(scratch_.seams.begin(), scratch_.seams.end(), [](const Seam& x, const Seam& y) {
+        return std::tie(x.need, x.firstBond) < std::tie(y.need, y.firstBond);
+    });
+    double weights = 0;
+    for (const Seam& seam : scratch_.seams) weights += double(weight(seam));
+    bool opens = false;
+    size_t broken = 0;
+    double rest = double(left);
+    for (; broken < scratch_.seams.size(); ++broken) {
+        const Seam& seam = scratch_.seams[broken];
+        if (double(seam.need) * weights > rest) break;
+        rest -= double(seam.energy);
+        weights -= double(weight(seam));
+        for (uint32_t i = 0; i < seam.bondCount; ++i) {
+            const uint32_t b = scratch_.bonds[seam.firstBond + i];
+            structure_.breakBond(b);
+            result.bonds.push_back(b);
+            result.area += graph_.bond(b).area;
+            result.level = std::max(result.level,
+                                    structure_.asset().fragment(graph_.bond(b).parting).level + 1);
+        }
+        opens = opens || isInside(seam);
+    }
+    if (broken < scratch_.seams.size() && weights > 0) {
+        const double factor = rest / weights;
+        for (size_t s = broken; s < scratch_.seams.size(); ++s) {
+            if (!(scratch_.seams[s].energy > 0)) continue;
+            const double taken = factor * double(weight(scratch_.seams[s]));
+            const auto share = float(taken / double(scratch_.seams[s].energy));  // of what is left
+            for (uint32_t i = 0; i < scratch_.seams[s].bondCount; ++i) {
+                const uint32_t b = scratch_.bonds[scratch_.seams[s].firstBond + i];
+                structure_.weaken(b, share * structure_.health(b));
+            }
+        }
+        rest = 0;
+    }
+    // Children that nothing holds together cost the least there is.
+    if (divided_ != kNone && !opens && rest > double(options_.minimumEnergy)) {
+        const Range leaves = graph_.leavesOf(divided_);
+        bool isBonded = false;
+        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf)
+            for (const BondGraph::Edge& edge : graph_.edgesOf(leaf))
+                isBonded = isBonded || (graph_.bond(edge.bond).parting == divided_ &&
+                                        edge.other != BondGraph::kWorld);
+        if (!isBonded) {
+            opens = true;
+            rest -= double(options_.minimumEnergy);
+        }
+    }
+    left = float(std::max(rest, 0.0));
+    return opens;
+}
+
+/// The child the hit met: the one whose colliders' box is nearest to the point.
+uint32_t Spreading::childAt(uint32_t fragment) const {
+    const Asset& asset = structure_.asset();
+    const Range children = asset.fragment(fragment).children;
+    uint32_t nearest = children.first;
+    auto least = std::pair(HUGE_VALF, HUGE_VALF);
+    for (uint32_t c = children.first; c < children.first + children.count; ++c) {
+        const auto& [low, high] = asset.box(c);
+        const glm::vec3 off = hit_.point - glm::clamp(hit_.point, low, high);
+        const std::pair distance(glm::dot(off, off),
+                                 glm::distance(hit_.point, asset.fragment(c).centerOfMass));
+        if (!(distance < least)) continue;
+        least = distance;
+        nearest = c;
+    }
+    return nearest;
+}
+
+}  // namespace
+
+HitSolver::HitSolver() : scratch_(std::make_unique<Scratch>()) {}
+HitSolver::~HitSolver() = default;
+HitSolver::HitSolver(HitSolver&&) noexcept = default;
+HitSolver& HitSolver::operator=(HitSolver&&) noexcept = default;
+
+void HitSolver::apply(Structure& structure, const Hit& hit, const DamageOptions& options,
+                      HitResult& result) {
+    Spreading(structure, hit, options, *scratch_).run(result);
+}
+
+void shatter(Structure& structure, uint32_t fragment, bool whole, HitResult& result) {
+    const BondGraph& graph = structure.graph();
+    result.clear();
+    const auto breakAround = [&](uint32_t part) {
+        const Range leaves = graph.leavesOf(part);
+        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+            for (const BondGraph::Edge& edge : graph.edgesOf(leaf)) {
+                const bool isInner =
+                    edge.other != BondGraph::kWorld && graph.contains(part, edge.other);
+                if (isInner || structure.isBroken(edge.bond)) continue;
+                structure.breakBond(edge.bond);
+                result.bonds.push_back(edge.bond);
+                result.area += graph.bond(edge.bond).area;
+            }
+        }
+    };
+    const Fragment& broken = structure.asset().fragment(fragment);
+    result.level = broken.level;
+    result.struck = fragment;
+    if (whole || broken.children.count == 0) {
+        breakAround(fragment);
+        return;
+    }
+    ++result.level;
+    for (uint32_t c = 0; c < broken.children.count; ++c) breakAround(broken.children.first + c);
+    structure.open(fragment);
+    result.opened.push_back(fragment);
+}
+
+}  // namespace sherd

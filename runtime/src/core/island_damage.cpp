@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// What breaks the islands of an IslandWorld.
+#include <limits>
+
+#include "core/rigid_pose.h"
+#include "sherd/runtime/island_world.h"
+
+namespace sherd {
+
+bool IslandWorld::canTakeDamage(uint32_t index, float energy, float impulse) const {
+    const Island& island = islands_[index];
+    const Object& object = objects_[island.object];
+    const DamageOptions& damage = object.damage;
+    if (energy < damage.minimumEnergy || impulse < damage.minimumImpulse ||
+        time_ - island.bornAt < double(damage.immunity) || damage.maxLevel == 0)
+        return false;
+    return island.fragments.size() > 1 || island.isAnchored ||
+           isBreakable(*object.asset, island.fragments.front(), damage);
+}
+
+const HitResult& IslandWorld::strike(uint32_t index, uint32_t fragment, const glm::vec3& point,
+                                     float energy, float approachSpeed) {
+    const Object& object = objects_[islands_[index].object];
+    const RigidPose objectToWorld = bodies_.motion(index).pose * inverse(islands_[index].frame);
+    Hit hit;
+    hit.fragment = fragment;
+    hit.point = inverse(objectToWorld) * point;
+    hit.energy = energy;
+    hit.stress = contactStress(*object.asset, fragment, approachSpeed);
+    solver_.apply(*object.structure, hit, object.damage, hit_);
+    return hit_;
+}
+
+void IslandWorld::addEvent(BreakEvent event, uint32_t index, uint32_t bodies) {
+    const uint32_t object = islands_[index].object;
+    event.object = idOf(object);
+    event.asset = objects_[object].asset.get();
+    event.level = hit_.level;
+    event.bonds = uint32_t(hit_.bonds.size());
+    event.area = hit_.area;
+    event.consumed = hit_.consumed;
+    event.bodies = bodies;
+    event.time = time_;
+    if (pending_.size() < maxPendingEvents_) pending_.push_back(event);
+}
+
+/// What `hit_` has broken comes apart.
+void IslandWorld::settle(uint32_t island, uint32_t fragment, BreakEvent event) {
+    event.fragment = fragment;
+    regroup(island);
+    (void)split(island, event);
+}
+
+float IslandWorld::takeHit(uint32_t island, uint32_t fragment, const ReportedHit& hit) {
+    if (!canTakeDamage(island, hit.energy, hit.impulse)) return 0;
+    const float consumed = strike(island, fragment, hit.point, hit.energy, hit.speed).consumed;
+    BreakEvent event;
+    event.point = hit.point;
+    event.normal = hit.normal;
+    event.impulse = hit.impulse;
+    event.energy = hit.energy;
+    event.approachSpeed = hit.speed;
+    settle(island, fragment, event);
+    return consumed;
+}
+
+uint32_t IslandWorld::dealArea(uint32_t objectIndex, const AreaDamage& damage) {
+    uint32_t broken = 0;
+    const std::vector<uint32_t> islands = objects_[objectIndex].islands;
+    for (const uint32_t index : islands) {
+        const Object& object = objects_[objectIndex];
+        const RigidPose objectToWorld = bodies_.motion(index).pose * inverse(islands_[index].frame);
+        applyArea(*object.structure, islands_[index].fragments, seenFrom(objectToWorld, damage),
+                  object.damage, hit_);
+        broken += uint32_t(hit_.bonds.size());
+        BreakEvent event;
+        event.point = damage.a;
+        event.energy = hit_.consumed;
+        settle(index, islands_[index].fragments.front(), event);
+    }
+    return broken;
+}
+
+bool IslandWorld::breakFragment(uint32_t object, uint32_t fragment, bool whole) {
+    const uint32_t island = findIsland(object, fragment);
+    if (island == UINT32_MAX) return false;
+    if (!whole && objects_[object].asset->fragment(fragment).children.count == 0) return false;
+    shatter(*objects_[object].structure, fragment, whole, hit_);
+    settle(island, fragment, {});
+    return true;
+}
+
+void IslandWorld::breakAll(uint32_t object) {
+    AreaDamage everything;
+    everything.fluence = std::numeric_limits<float>::infinity();
+    everything.radius = std::numeric_limits<float>::max();
+    everything.falloff = 0;
+    dealArea(object, everything);
+}
+
+void IslandWorld::pin(uint32_t index, std::span<const uint32_t> leaves, bool pinned) {
+    for (const uint32_t leaf : leaves) objects_[index].structure->pin(leaf, pinned);
+    hit_.clear();
+    const std::vector<uint32_t> islands = objects_[index].islands;
+    for (const uint32_t island : islands) settle(island, 0, {});
+}
+
+bool IslandWorld::pinFragment(uint32_t object, uint32_t fragment, bool pinned) {
+    if (findIsland(object, fragment) == UINT32_MAX) return false;
+    const Range leaves = objects_[object].structure->graph().leavesOf(fragment);
+    std::vector<uint32_t> list;
+    for (uint32_t l = 0; l < leaves.count; ++l) list.push_back(leaves.first + l);
+    pin(object, list, pinned);
+    return true;
+}
+
+}  // namespace sherd

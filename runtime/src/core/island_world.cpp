@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "sherd/runtime/island_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "core/mass_properties.h"
+#include "core/rigid_pose.h"
+
+namespace sherd {
+
+uint32_t IslandWorld::takeIsland() {
+    if (freeIslands_.empty()) {
+        islands_.emplace_back();
+        return uint32_t(islands_.size() - 1);
+    }
+    const uint32_t slot = freeIslands_.back();
+    freeIslands_.pop_back();
+    return slot;
+}
+
+ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose& pose,
+                            const DamageOptions& damage, bool dynamic, const BodyMotion& motion) {
+    uint32_t index = uint32_t(objects_.size());
+    if (freeObjects_.empty()) {
+        objects_.emplace_back();
+    } else {
+        index = freeObjects_.back();
+        freeObjects_.pop_back();
+    }
+    Object& object = objects_[index];
+    object.asset = std::move(asset);
+    object.structure = std::make_unique<Structure>(object.asset);
+    object.damage = damage;
+    const uint32_t slot = takeIsland();
+    Island& island = islands_[slot];
+    island.object = index;
+    island.fragments.assign(1, 0);
+    island.isAnchored = object.asset->graph().isAnchored(0);
+    island.isFixed = !dynamic || island.isAnchored;
+    island.bornAt = -HUGE_VAL;
+    island.pose = island.previous = pose;
+    object.islands.assign(1, slot);
+    create(slot, motion);
+    return idOf(index);
+}
+
+void IslandWorld::removeIslands(Object& object) {
+    for (const uint32_t island : object.islands) {
+        bodies_.remove(island);
+        islands_[island].isAlive = false;
+        --islandCount_;
+    }
+    // Backwards, so that the slots are handed out again in the order they were given up.
+    freeIslands_.insert(freeIslands_.end(), object.islands.rbegin(), object.islands.rend());
+    object.islands.clear();
+    posesListed_ = false;
+}
+
+void IslandWorld::remove(uint32_t index) {
+    Object& object = objects_[index];
+    removeIslands(object);
+    object.asset.reset();
+    object.structure.reset();
+    ++object.generation;
+    freeObjects_.push_back(index);
+}
+
+/// All but its motion, which the caller knows; the frame is worked out anew.
+IslandBody IslandWorld::describe(uint32_t index) const {
+    const Island& island = islands_[index];
+    const Asset& asset = *objects_[island.object].asset;
+    const Fragment& first = asset.fragment(island.fragments.front());
+    IslandBody body;
+    body.island = index;
+    body.object = idOf(island.object);
+    body.asset = &asset;
+    body.fragments = island.fragments;
+    body.friction = first.friction;
+    body.restitution = first.restitution;
+    float mass = first.mass;
+    glm::vec3 inertia = first.inertiaDiagonal;
+    body.frame = {first.centerOfMass, glm::normalize(first.inertiaOrientation)};
+    if (island.fragments.size() > 1) {
+        MassProperties sum;
+        for (const uint32_t fragment : island.fragments)
+            sum = sum + massOf(asset.fragment(fragment));
+        const PrincipalInertia principal = principalInertia(sum);
+        mass = float(sum.mass);
+        inertia = principal.diagonal;
+        body.frame = {glm::vec3(sum.center), principal.orientation};
+    }
+    body.mass = island.isFixed ? 0 : mass;
+    body.inertia = island.isFixed ? glm::vec3(0.0F) : inertia;
+    return body;
+}
+
+void IslandWorld::create(uint32_t index, const BodyMotion& motion) {
+    Island& island = islands_[index];
+    island.isAlive = true;
+    ++islandCount_;
+    IslandBody body = describe(index);
+    island.frame = body.frame;
+    if (!island.isFixed) body.motion = motion;
+    body.motion.pose = island.pose * body.frame;
+    bodies_.create(body);
+    posesListed_ = false;
+}
+
+IslandWorld::Change IslandWorld::regroup(uint32_t index) {
+    Island& island = islands_[index];
+    const Structure& structure = *objects_[island.object].structure;
+    std::vector<uint32_t>& fragments = island.fragments;
+    change_ = Change::none;
+    for (size_t i = 0; i < fragments.size();) {
+        if (structure.stands(fragments[i])) {
+            ++i;
+            continue;
+        }
+        change_ = Change::finer;
+        const Range children = structure.asset().fragment(fragments[i]).children;
+        fragments[i] = children.first;
+        for (uint32_t c = 1; c < children.count; ++c) fragments.push_back(children.first + c);
+    }
+    std::sort(fragments.begin(), fragments.end());
+    groups_.find(structure, fragments);
+    const auto groups = groups_.islands();
+    if (groups.size() > 1 || island.isAnchored != groups[0].anchored) change_ = Change::apart;
+    return change_;
+}
+
+std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
+    split_.assign(1, index);
+    if (change_ != Change::none) {
+        bodies_.beforeSplit(index);
+        const std::span<const IslandFinder::Island> groups = groups_.islands();
+        const auto heaviest =
+            size_t(std::max_element(groups.begin(), groups.end(),
+                                    [](const auto& x, const auto& y) { return x.mass < y.mass; }) -
+                   groups.begin());
+        const bool isSplit = change_ == Change::apart;
+        const BodyMotion whole = bodies_.motion(index);
+        // A part moves as it did in the whole.
+        const auto motionAt = [&](const glm::vec3& center) {
+            BodyMotion motion;
+            motion.linearVelocity =
+                whole.linearVelocity +
+                glm::cross(whole.angularVelocity, center - whole.pose.translation);
+            motion.angularVelocity = whole.angularVelocity;
+            return motion;
+        };
+        const auto give = [&](Island& island, size_t group) {
+            const std::span<const uint32_t> fragments = groups_.fragmentsOf(groups[group]);
+            island.fragments.assign(fragments.begin(), fragments.end());
+            island.isAnchored = groups[group].anchored;
+        };
+        for (size_t g = 0; g < groups.size(); ++g) {
+            if (g == heaviest) continue;
+            const uint32_t slot = takeIsland();
+            Island& island = islands_[slot];
+            const Island& old = islands_[index];
+            island.object = old.object;
+            island.pose = old.pose;
+            island.previous = old.previous;
+            island.bornAt = time_;
+            give(island, g);
+            island.isFixed = island.isAnchored;
+            create(slot, motionAt((island.pose * describe(slot).frame).translation));
+            split_.push_back(slot);
+        }
+        Island& kept = islands_[index];
+        give(kept, heaviest);
+        if (isSplit) kept.bornAt = time_;
+        // What stands without an anchor stands until something comes off.
+        kept.isFixed = kept.isAnchored || (!isSplit && kept.isFixed);
+        IslandBody body = describe(index);
+        kept.frame = body.frame;
+        body.motion.pose = kept.pose * body.frame;
+        if (!kept.isFixed) {
+            const RigidPose pose = body.motion.pose;
+            body.motion = motionAt(pose.translation);
+            body.motion.pose = pose;
+        }
+        bodies_.update(body);
+        bodies_.afterSplit(index, split_);
+        for (const uint32_t i : split_) strain(i);
+        posesListed_ = false;
+
+        std::vector<uint32_t>& islands = objects_[kept.object].islands;
+        islands.insert(islands.end(), split_.begin() + 1, split_.end());
+        std::sort(islands.begin(), islands.end(), [&](uint32_t x, uint32_t y) {
+            return islands_[x].fragments.front() < islands_[y].fragments.front();
+        });
+        change_ = Change::none;
+    }
+    if (hit_.brokeSomething()) addEvent(event, index, uint32_t(split_.size()) - 1);
+    hit_.clear();
+    return split_;
+}
+
+void IslandWorld::replace(uint32_t index, Structure&& structure,
+                          std::vector<SavedIsland>&& islands) {
+    Object& object = objects_[index];
+    removeIslands(object);
+    *object.structure = std::move(structure);
+    for (SavedIsland& from : islands) {
+        const uint32_t slot = takeIsland();
+        Island& island = islands_[slot];
+        island.object = index;
+        island.fragments = std::move(from.fragments);
+        island.isFixed = from.isFixed;
+        island.isAnchored = from.isAnchored;
+        island.bornAt = from.bornAt;
+        island.pose = from.pose;
+        island.previous = from.previous;
+        object.islands.push_back(slot);
+        create(slot, from.motion);
+        strain(slot);
+    }
+}
+
+void IslandWorld::moveTo(uint32_t index, const RigidPose& pose) {
+    Island& island = islands_[index];
+    island.previous = island.pose;
+    island.pose = pose;
+    posesListed_ = false;
+}
+
+void IslandWorld::follow(uint32_t island) {
+    moveTo(island, bodies_.motion(island).pose * inverse(islands_[island].frame));
+}
+
+std::span<const FragmentPose> IslandWorld::poses() {
+    if (posesListed_) return poses_;
+    poses_.clear();
+    for (uint32_t o = 0; o < objects_.size(); ++o) {
+        const size_t first = poses_.size();
+        for (const uint32_t i : objects_[o].islands) {
+            const Island& island = islands_[i];
+            for (const uint32_t fragment : island.fragments)
+                poses_.push_back(
+                    {idOf(o), objects_[o].asset.get(), fragment, island.pose, island.previous});
+        }
+        std::sort(
+            poses_.begin() + std::ptrdiff_t(first), poses_.end(),
+            [](const FragmentPose& x, const FragmentPose& y) { return x.fragment < y.fragment; });
+    }
+    posesListed_ = true;
+    return poses_;
+}
+
+bool IslandWorld::isAlive(ObjectId id) const {
+    return id.index < objects_.size() && objects_[id.index].generation == id.generation &&
+           objects_[id.index].asset != nullptr;
+}
+
+ObjectId IslandWorld::idOf(uint32_t object) const {
+    return {object, objects_[object].generation};
+}
+
+uint32_t IslandWorld::findIsland(uint32_t object, uint32_t fragment) const {
+    for (const uint32_t island : objects_[object].islands) {
+        const std::vector<uint32_t>& fragments = islands_[island].fragments;
+        if (std::binary_search(fragments.begin(), fragments.end(), fragment)) return island;
+    }
+    return UINT32_MAX;
+}
+
+std::span<const BreakEvent> IslandWorld::takeEvents() {
+    taken_.swap(pending_);
+    pending_.clear();
+    return taken_;
+}
+
+}  // namespace sherd

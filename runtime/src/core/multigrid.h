@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/aggregation.h"
+#include "core/elastic_network.h"
+
+namespace sherd {
+
+/// Approximate inverses of an elastic network's K: a preconditioner. Keeps its memory.
+class Multigrid {
+  public:
+    /// For a network that stays where it is and as it is.
+    void reset(const ElasticNetwork& network);
+    /// Gets ready, in a few calls of about the price of `apply`. They take no memory.
+    void prepare();
+    [[nodiscard]] bool isReady() const { return stage_ == Stage::ready; }
+
+    /// z ~ K^-1 r. Nearly linear in r: the coarse solutions are conjugate gradients of two steps.
+    void apply(std::span<const Screw> r, std::span<Screw> z) { cycle(0, r, z); }
+
+  private:
+    struct Level {
+        const ElasticNetwork* network = nullptr;
+        ElasticNetwork own;                 ///< of the coarse levels
+        std::vector<Stiffness> inverse;     ///< of the diagonal blocks
+        std::vector<uint32_t> aggregateOf;  ///< per node, a node of the next level
+        std::vector<Screw> rest;
+        // Of the coarse levels: what is to be solved there, and the two steps that do.
+        std::vector<Screw> load, motion, first, firstProduct, second, secondProduct;
+    };
+    enum class Stage { diagonal, pairs, fours, ready };
+
+    void advance();
+    void reserve(const ElasticNetwork& network);
+    void factorCoarsest();
+
+    void cycle(uint32_t l, std::span<const Screw> r, std::span<Screw> z);
+    void solve(uint32_t l);
+    void solveCoarsest(std::span<const Screw> r, std::span<Screw> z);
+    void restrictTo(uint32_t l);
+    void prolongFrom(uint32_t l, std::span<Screw> z) const;
+
+    std::vector<Level> levels_;
+    uint32_t levelCount_ = 0;
+    Stage stage_ = Stage::diagonal;
+    std::vector<double> factor_;  ///< of the coarsest level where it is small, else empty
+    std::vector<double> dense_;
+    Aggregation aggregation_;
+    ElasticNetwork pairs_;
+    std::vector<uint32_t> pairOf_;
+};
+
+}  // namespace sherd

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// What breaking costs beside plain Bullet that does the same by hand, in the same process: the
+// same shapes made beforehand, one removal, the same additions, the next step.
+//
+// usage: sherd_bench_runtime [RUNS]
+//
+// Milliseconds, the smallest of RUNS (5) runs.
+#include <btBulletDynamicsCommon.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "bullet/fragment_shapes.h"
+#include "impact/bullet_world.h"
+#include "sherd/runtime/structure.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::test;
+
+template <class Work>
+double milliseconds(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+template <class Run>
+double smallest(int runs, const Run& run) {
+    double best = HUGE_VAL;
+    for (int i = 0; i < runs; ++i) best = std::min(best, run());
+    return best;
+}
+
+std::shared_ptr<const Asset> cubes(glm::ivec3 counts) {
+    return makeBox({.size = glm::vec3(counts) * 0.1F, .level1 = counts, .toughness = 1});
+}
+
+/// Damage and split without physics.
+double damageAndSplit(const std::shared_ptr<const Asset>& asset, HitSolver& solver,
+                      IslandFinder& finder, HitResult& result, float energy, size_t* islands) {
+    Structure structure(asset);
+    structure.open(0);
+    std::vector<uint32_t> all;
+    for (uint32_t f = 1; f < asset->fragmentCount(); ++f) all.push_back(f);
+    Hit hit;
+    hit.fragment = 1;
+    hit.point = asset->fragment(1).centerOfMass;
+    hit.energy = energy;
+    hit.stress = 1e12F;
+    const double time = milliseconds([&] {
+        solver.apply(structure, hit, {}, result);
+        finder.find(structure, all);
+    });
+    *islands = finder.islands().size();
+    return time;
+}
+
+double breakBySherd(const std::shared_ptr<const Asset>& asset) {
+    BulletWorld bullet;
+    DestructionWorld destruction(bullet.world);
+    const ObjectId object = destruction.spawn(asset, at(0, 0, 0)).value();
+    bullet.step();
+    return milliseconds([&] {
+        (void)destruction.breakFragment(object);
+        bullet.step();
+    });
+}
+
+double breakByHand(const std::shared_ptr<const Asset>& asset) {
+    BulletWorld bullet;
+    const FragmentShapes shapes(asset);
+    std::vector<std::unique_ptr<btRigidBody>> bodies;
+    const auto add = [&](uint32_t f) {
+        const Fragment& fragment = asset->fragment(f);
+        const glm::vec3& inertia = fragment.inertiaDiagonal;
+        btRigidBody::btRigidBodyConstructionInfo info(fragment.mass, nullptr, shapes.shape(f),
+                                                      {inertia.x, inertia.y, inertia.z});
+        info.m_startWorldTransform = shapes.bodyFrame(f);
+        bodies.push_back(std::make_unique<btRigidBody>(info));
+        bullet.world.addRigidBody(bodies.back().get());
+    };
+    add(0);
+    bullet.step();
+    const double time = milliseconds([&] {
+        bullet.world.removeRigidBody(bodies[0].get());
+        bodies.reserve(asset->fragmentCount());
+        for (uint32_t f = 1; f < asset->fragmentCount(); ++f) add(f);
+        bullet.step();
+    });
+    for (size_t b = 1; b < bodies.size(); ++b) bullet.world.removeRigidBody(bodies[b].get());
+    return time;
+}
+
+/// Per step, with a thousand objects that nothing hits; without Sherd, the bodies are the game's.
+double stepWithIntact(bool withSherd, bool asleep) {
+    constexpr int kObjects = 1000, kSteps = 60;
+    BulletWorld bullet(btVector3(0, -10, 0));
+    bullet.addGround(0);
+    const auto asset = cubes({2, 2, 2});
+    const FragmentShapes shapes(asset);
+    std::unique_ptr<DestructionWorld> destruction;
+    if (withSherd) destruction = std::make_unique<DestructionWorld>(bullet.world);
+    std::vector<std::unique_ptr<btRigidBody>> bodies;
+    for (int i = 0; i < kObjects; ++i) {
+        const float x = 0.5F * float(i % 32) - 8, z = 0.5F * float(i / 32) - 8;
+        btRigidBody* body = nullptr;
+        if (withSherd) {
+            const ObjectId object = destruction->spawn(asset, at(x, 0.1F, z)).value();
+            body = destruction->body(object);
+        } else {
+            const Fragment& whole = asset->fragment(0);
+            const glm::vec3& inertia = whole.inertiaDiagonal;
+            btRigidBody::btRigidBodyConstructionInfo info(whole.mass, nullptr, shapes.shape(0),
+                                                          {inertia.x, inertia.y, inertia.z});
+            info.m_startWorldTransform.setOrigin(btVector3(x, 0.1F, z));
+            bodies.push_back(std::make_unique<btRigidBody>(info));
+            body = bodies.back().get();
+            bullet.world.addRigidBody(body);
+        }
+        if (!asleep) body->setActivationState(DISABLE_DEACTIVATION);
+    }
+    for (int i = 0; i < (asleep ? 240 : 60); ++i) bullet.step();
+    const double time = milliseconds([&] {
+        for (int i = 0; i < kSteps; ++i) bullet.step();
+    });
+    for (const auto& body : bodies) bullet.world.removeRigidBody(body.get());
+    return time / kSteps;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
+    HitSolver solver;
+    IslandFinder finder;
+    HitResult result;
+    const auto thousand = cubes({7, 11, 13});
+    std::printf("damage and split of %u fragments with %zu bonds, no physics\n",
+                thousand->graph().leafCount(), thousand->graph().bonds().size());
+    for (const float share : {0.01F, 0.1F, 0.5F}) {
+        size_t islands = 0;
+        const float energy = share * thousand->breakEnergy(0);
+        const double time = smallest(runs, [&] {
+            return damageAndSplit(thousand, solver, finder, result, energy, &islands);
+        });
+        std::printf("  %4.0f %% of their energy: %5zu bonds broken, %4zu islands %8.3f ms\n",
+                    100 * double(share), result.bonds.size(), islands, time);
+    }
+    std::printf("break into bodies, and the next step%12s%12s%8s\n", "Sherd", "by hand", "ratio");
+    for (const glm::ivec3 counts :
+         {glm::ivec3(4, 5, 5), glm::ivec3(10, 10, 10), glm::ivec3(10, 20, 25)}) {
+        const auto asset = cubes(counts);
+        const double ours = smallest(runs, [&] { return breakBySherd(asset); });
+        const double hand = smallest(runs, [&] { return breakByHand(asset); });
+        std::printf("  %6u%40.2f%12.2f%8.2f\n", asset->graph().leafCount(), ours, hand,
+                    ours / hand);
+    }
+    std::printf("a step with 1,000 whole objects%17s%12s%8s\n", "Sherd", "without", "more");
+    for (const bool asleep : {false, true}) {
+        const double ours = smallest(runs, [&] { return stepWithIntact(true, asleep); });
+        const double without = smallest(runs, [&] { return stepWithIntact(false, asleep); });
+        std::printf("  %-32s%14.3f%12.3f%5.1f us\n", asleep ? "asleep" : "awake", ours, without,
+                    1e3 * (ours - without));
+    }
+    std::printf("bytes a whole object takes: %zu, and its body\n", sizeof(Structure) + 64);
+    return 0;
+}
