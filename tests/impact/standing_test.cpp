@@ -93,6 +93,29 @@ TEST_CASE("a bridge stands on two pillars, and falls when one is taken") {
     CHECK(broken(true) > 10);
 }
 
+TEST_CASE("an object may be removed while its stress is worked on, and another take its place") {
+    BulletWorld bullet(btVector3(0, -10, 0));
+    WorldOptions slow;
+    slow.stressIterations = 1;
+    DestructionWorld destruction(bullet.world, slow);
+    const auto big = Asset::fromFractureSet(
+                         weak(makeBoxFracture({.size = {4, 2, 0.2F}, .level1 = {16, 16, 1}}), 1e3F))
+                         .value();
+    const auto small = Asset::fromFractureSet(weak(makeBoxFracture({.level1 = {2, 1, 1}}), 1e9F));
+    for (int i = 0; i < 20; ++i) {
+        const ObjectId wall = destruction.spawn(big, at(0, 1, 0)).value();
+        destruction.anchorInBox(wall, {-9, -0.1F, -9}, {9, 0.1F, 9});
+        REQUIRE(destruction.damage(wall, boxAt({0, 1.9F, 0}, {0.05F, 0.05F, 1})).value() > 0);
+        for (int k = 0; k < i; ++k) bullet.step();
+        REQUIRE(destruction.remove(wall));
+        const ObjectId other = destruction.spawn(small.value(), at(0, 9, 0)).value();
+        REQUIRE(destruction.anchor(other, 0));
+        for (int k = 0; k < 20; ++k) bullet.step();
+        CHECK(destruction.bodyCount() == 1);
+        REQUIRE(destruction.remove(other));
+    }
+}
+
 TEST_CASE("without a budget for stress nothing falls by its own weight") {
     BulletWorld bullet(btVector3(0, -10, 0));
     WorldOptions options;

@@ -52,6 +52,9 @@ void IslandWorld::removeIslands(Object& object) {
         bodies_.remove(island);
         islands_[island].isAlive = false;
         --islandCount_;
+        // Its number may be given to another object's.
+        if (island == stressed_) isStressNew_ = true;
+        std::erase(strained_, island);
     }
     // Backwards, so that the slots are handed out again in the order they were given up.
     freeIslands_.insert(freeIslands_.end(), object.islands.rbegin(), object.islands.rend());
