@@ -55,7 +55,7 @@ struct Breaker::Strike {
 };
 
 void Breaker::step(float dt, bool inStep) {
-    contacts_.gather(world_, dt, inStep);
+    contacts_.gather(world_, dt, inStep, islands_.leastEnergy());
     findMeetings();
     for (const Meeting& meeting : meetings_) applyMeeting(meeting);
 }

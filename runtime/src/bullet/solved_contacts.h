@@ -39,7 +39,8 @@ class SolvedContacts {
   public:
     /// Reads the world's contacts after a substep of `dt` seconds. Sleeping pairs are skipped:
     /// their impulses are old. `inStep`: Bullet has not yet cleared the forces of the step.
-    void gather(btCollisionWorld& world, float dt, bool inStep);
+    /// Where no contact can have brought `leastEnergy`, J, there are no pairs.
+    void gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy);
 
     [[nodiscard]] const std::vector<SolvedPair>& pairs() const { return pairs_; }
     /// Null once `forget` was called.
@@ -66,6 +67,8 @@ class SolvedContacts {
   private:
     uint32_t localIndex(btCollisionObject& body, const btVector3& contactPoint,
                         const btVector3& inBody);
+    [[nodiscard]] btVector3 pushOn(const btRigidBody& body) const;
+    bool mayMatter(btCollisionWorld& world, float leastEnergy);
     void mergePairs();
     void linkBodies();
     void undo(SolvedPair& pair);
@@ -74,6 +77,11 @@ class SolvedContacts {
 
     std::vector<SolvedPair> pairs_;
     std::vector<btCollisionObject*> bodies_;
+    struct Rough {
+        const btRigidBody* body;
+        btVector3 linear, angular;  ///< impulses received, then velocity before
+    };
+    std::vector<Rough> rough_;
     std::vector<Motion> received_;  ///< per body: impulse, and moment about its centre of mass
     std::vector<Motion> before_;    ///< per body
     std::vector<btTransform> posesBefore_;  ///< per body; the impulses acted there

@@ -131,7 +131,9 @@ void Spreading::findSeams(uint32_t target) {
         const Range children = structure_.asset().fragment(target).children;
         for (uint32_t c = 0; c < children.count; ++c) scratch_.reach(children.first + c);
     }
-    for (size_t i = 0; i < scratch_.front.size(); ++i) addSeamsOf(scratch_.front[i]);
+    // It grows as seams are found.
+    size_t next = 0;
+    while (next < scratch_.front.size()) addSeamsOf(scratch_.front[next++]);
 }
 
 void Spreading::addSeamsOf(uint32_t side) {

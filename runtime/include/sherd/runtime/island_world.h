@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -106,6 +107,8 @@ class IslandWorld {
     void stayPut(uint32_t island) { islands_[island].previous = islands_[island].pose; }
     std::span<const FragmentPose> poses();
 
+    /// Below it no hit does anything to any object there ever was, J.
+    [[nodiscard]] float leastEnergy() const { return leastEnergy_; }
     /// Whether a hit like that could do anything to the island.
     [[nodiscard]] bool canTakeDamage(uint32_t island, float energy, float impulse) const;
     /// Lets a hit at a world point on one of the island's fragments do its damage; nothing moves
@@ -182,6 +185,7 @@ class IslandWorld {
     BodyTable& bodies_;
     uint32_t maxPendingEvents_;
     double time_ = 0;
+    float leastEnergy_ = HUGE_VALF;
     std::vector<Object> objects_;
     std::vector<uint32_t> freeObjects_;
     std::vector<Island> islands_;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sherd from C, and from whatever can call C: the breaking of baked objects over any physics engine.
+/* Sherd from C, and from whatever can call C: the breaking of baked objects over any physics
+ * engine.
  *
  * The engine gives a table of functions that make, change and remove bodies; Sherd says which there
  * must be. The engine tells Sherd where bodies are and what hits them. Nothing here throws, and no
@@ -35,7 +36,7 @@ typedef enum sherd_status {
     SHERD_BAD_ARGUMENT = 1,
     SHERD_MALFORMED = 2, /* the bytes are no sound file; the error says where */
     SHERD_NO_MEMORY = 3,
-    SHERD_GONE = 4, /* the object was removed, or the fragment does not stand */
+    SHERD_GONE = 4,     /* the object was removed, or the fragment does not stand */
     SHERD_TOO_SMALL = 5 /* the array given holds less than there is */
 } sherd_status;
 
@@ -177,8 +178,8 @@ typedef struct sherd_contact {
     uint32_t island;
     uint32_t fragment; /* of the island, that was touched */
     float point[3];
-    float normal[3]; /* unit, into the island */
-    float impulse;   /* along the normal, N s */
+    float normal[3];      /* unit, into the island */
+    float impulse;        /* along the normal, N s */
     float approach_speed; /* along the normal before the step, without what gravity added in it */
     float effective_mass; /* 1 / (1/m_a + 1/m_b) with rotation, at the point along the normal */
 } sherd_contact;
