@@ -120,10 +120,15 @@ BodyMotion BulletBodies::motion(uint32_t island) const {
     return motion;
 }
 
-void BulletBodies::readPoses(IslandWorld& islands) {
+bool BulletBodies::readPoses(IslandWorld& islands) {
+    bool isTouchable = false;
     for (uint32_t i = 0; i < bodies_.size(); ++i) {
         Body& slot = bodies_[i];
         if (!slot.body) continue;
+        // As Bullet's own motion states, what sleeps is not asked where it is.
+        const bool isActive = slot.body->isActive();
+        isTouchable = isTouchable || isActive || slot.body->isStaticObject();
+        if (!isActive && slot.isStill) continue;
         const btTransform& now = slot.body->getWorldTransform();
         const bool isStill = now == slot.seen;
         if (!isStill) {
@@ -134,6 +139,7 @@ void BulletBodies::readPoses(IslandWorld& islands) {
         }
         slot.isStill = isStill;
     }
+    return isTouchable;
 }
 
 // The number on the body is only a hint: the game's own bodies may carry any number there.

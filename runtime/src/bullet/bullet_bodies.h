@@ -40,8 +40,9 @@ class BulletBodies final : public BodyTable {
         released_.afterSplit(island, islands);
     }
 
-    /// After a substep: tells the world where its islands are.
-    void readPoses(IslandWorld& islands);
+    /// After a substep: tells the world where its islands are. Returns whether contacts can have
+    /// done anything to them: Bullet wakes what is touched.
+    bool readPoses(IslandWorld& islands);
 
     /// The body was moved by hand; its island knows where.
     void noteTransform(uint32_t island) {

@@ -114,8 +114,8 @@ class DestructionWorld::Impl final : public btActionInterface {
     void step(float dt, bool inStep) noexcept {
         islands.setTime(islands.time() + double(dt));
         bodies.released().releaseSeparated();
-        bodies.readPoses(islands);
-        if (islands.islandCount() == 0 || !settings.authority) return;
+        const bool isTouchable = bodies.readPoses(islands);
+        if (!isTouchable || !settings.authority) return;
         bodies.setInStep(inStep);
         breaker.step(dt, inStep);
         islands.workOnStress(toGlm(world.getGravity()), settings.stressIterations);

@@ -88,36 +88,34 @@ int orderKey(const btCollisionObject& object) {
 }  // namespace
 
 /// A rough look at what moved before the solve: where everything rests there is nothing to measure.
-/// It takes bodies where they are now, and all relative speed as approach, of the lighter body.
+/// It takes impulses to act where bodies are now. Two bodies have no more energy to bring than each
+/// has by itself.
 bool SolvedContacts::mayMatter(btCollisionWorld& world, float leastEnergy) {
     rough_.clear();
     localOf_.assign(size_t(world.getNumCollisionObjects()), kNone);
-    btDispatcher& dispatcher = *world.getDispatcher();
-    const auto roughOf = [&](const btCollisionObject& object) -> Rough& {
+    const auto roughOf = [&](const btCollisionObject& object) {
         uint32_t& local = localOf_[size_t(object.getWorldArrayIndex())];
         if (local == kNone) {
             local = uint32_t(rough_.size());
             rough_.push_back({movable(&object), btVector3(0, 0, 0), btVector3(0, 0, 0)});
         }
-        return rough_[local];
-    };
-    const auto forEach = [&](const auto& visit) {
-        for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
-            const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
-            if (manifold.getNumContacts() == 0) continue;
-            if (awake(manifold.getBody0()) || awake(manifold.getBody1())) visit(manifold);
-        }
+        return local;
     };
     const auto receive = [](Rough& rough, const btVector3& place, const btVector3& impulse) {
         if (!rough.body) return;
         rough.linear += impulse;
         rough.angular += (place - rough.body->getCenterOfMassPosition()).cross(impulse);
     };
-    forEach([&](const btPersistentManifold& manifold) {
-        // Both before either is held by reference: the first look at a body makes its entry.
-        (void)roughOf(*manifold.getBody0());
-        Rough& b = roughOf(*manifold.getBody1());
-        Rough& a = roughOf(*manifold.getBody0());
+    btDispatcher& dispatcher = *world.getDispatcher();
+    for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
+        if (manifold.getNumContacts() == 0) continue;
+        const btCollisionObject &first = *manifold.getBody0(), &second = *manifold.getBody1();
+        if (!awake(&first) && !awake(&second)) continue;
+        // A kinematic body brings what its own motion says.
+        if (first.isKinematicObject() || second.isKinematicObject()) return true;
+        const uint32_t localA = roughOf(first), localB = roughOf(second);
+        Rough &a = rough_[localA], &b = rough_[localB];
         for (int i = 0; i < manifold.getNumContacts(); ++i) {
             const btManifoldPoint& point = manifold.getContactPoint(i);
             const btVector3 impulse = point.m_normalWorldOnB * point.m_appliedImpulse +
@@ -126,31 +124,17 @@ bool SolvedContacts::mayMatter(btCollisionWorld& world, float leastEnergy) {
             receive(a, point.getPositionWorldOnA(), impulse);
             receive(b, point.getPositionWorldOnB(), -impulse);
         }
-    });
-    for (Rough& rough : rough_) {
-        if (!rough.body) continue;
-        const btRigidBody& body = *rough.body;
-        rough.linear = body.getLinearVelocity() - rough.linear * body.getInvMass() - pushOn(body);
-        rough.angular = body.getAngularVelocity() - body.getInvInertiaTensorWorld() * rough.angular;
     }
-    bool may = false;
-    forEach([&](const btPersistentManifold& manifold) {
-        const Rough &a = roughOf(*manifold.getBody0()), &b = roughOf(*manifold.getBody1());
-        btScalar mass = BT_LARGE_FLOAT, turning = 0;
-        for (const Rough* rough : {&a, &b}) {
-            if (!rough->body) continue;
-            mass = std::min(mass, 1 / rough->body->getInvMass());
-            const btVector3 arm = manifold.getContactPoint(0).getPositionWorldOnA() -
-                                  rough->body->getCenterOfMassPosition();
-            turning += rough->angular.length() * arm.length();
-        }
-        const btScalar speed = (a.linear - b.linear).length() + turning;
-        may = may || btScalar(0.5) * mass * speed * speed >= leastEnergy;
-        // A kinematic body brings what its own motion says.
-        for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()})
-            may = may || object->isKinematicObject();
+    constexpr double kCareful = 4;  // less than that is none, for all that was taken roughly
+    return std::any_of(rough_.begin(), rough_.end(), [&](const Rough& rough) {
+        if (!rough.body) return false;
+        const btRigidBody& body = *rough.body;
+        const Motion before{
+            body.getLinearVelocity() - rough.linear * body.getInvMass() - pushOn(body),
+            body.getAngularVelocity() - body.getInvInertiaTensorWorld() * rough.angular};
+        return kCareful * kineticEnergy(body, before, body.getWorldTransform().getBasis()) >=
+               double(leastEnergy);
     });
-    return may;
 }
 
 void SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy) {

@@ -79,7 +79,7 @@ class SolvedContacts {
     std::vector<btCollisionObject*> bodies_;
     struct Rough {
         const btRigidBody* body;
-        btVector3 linear, angular;  ///< impulses received, then velocity before
+        btVector3 linear, angular;  ///< impulse received, and its moment
     };
     std::vector<Rough> rough_;
     std::vector<Motion> received_;  ///< per body: impulse, and moment about its centre of mass
