@@ -132,8 +132,9 @@ void addLevelOptions(CLI::App& command, const std::string& drawingOption,
                         "A level that cuts every piece of the one before through its volume: "
                         "voronoi:N[:SEED], grid:N, slices:NxMxK, wood:N, points:X,Y,Z;..., "
                         "bricks:NxMxK or glass:NxM, and :larger=SHARE, :smaller=SHARE, "
-                        ":near=X,Y,Z, :within=METRES or :name=NAME to choose pieces; behind all "
-                        "levels of lines")
+                        ":near=X,Y,Z, :within=METRES or :name=NAME to choose pieces; takes its "
+                        "place among " +
+                            drawingOption + " and --pattern as it stands")
             ->allow_extra_args(false);
     command.add_option("--recipe", arguments.recipe,
                        "Levels and settings as JSON; its levels win over " + drawingOption +
@@ -214,13 +215,10 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
             plan.cuts.push_back(*level.cut);
             continue;
         }
-        if (std::any_of(levels.begin(), levels.end(),
-                        [](const FracturePlan& before) { return !before.cuts.empty(); }))
-            return fail(ErrorCode::badArgument,
-                        "levels of lines must come before levels that cut through the volume");
         if (level.pattern) {
             FracturePlan::Grown& grown = plan.patterns.emplace_back();
             grown.pattern = *level.pattern;
+            grown.only = level.only;
             const std::string& density = grown.pattern.density;
             if (!density.empty() && density != "color") {
                 Result<GreyImage> picture = readGreyImage(density);
@@ -235,7 +233,7 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
         options.bitmap = recipe.bitmap;
         Result<FractureMap> map = readFractureMap(level.map, options);
         if (!map) return tl::unexpected(map.error());
-        plan.drawings.push_back({std::move(*map), level.projection});
+        plan.drawings.push_back({std::move(*map), level.projection, level.only});
     }
     return stackLevels(std::move(levels));
 }

@@ -3,7 +3,7 @@
 
 namespace sherd::cli {
 
-const std::array<RecipeExample, 7> kRecipeExamples = {{
+const std::array<RecipeExample, 8> kRecipeExamples = {{
     {"drawn", "cracks that an artist drew, coarse and fine", R"({
   // Coarse to fine; each level divides the pieces of the one before.
   "levels": [
@@ -51,6 +51,15 @@ const std::array<RecipeExample, 7> kRecipeExamples = {{
   ]
 }
 )"},
+    {"boulder", "boulders first, and what is drawn on them, but only where they are large", R"({
+  "levels": [
+    {"cut": "voronoi:6", "name": "boulders"},
+    {"map": "cracks.svg", "only": {"larger": 0.1}},          // lines in large boulders
+    {"cut": "voronoi:4:1", "only": {"near": [[0, 1.7, 0]], "within": 0.2}}
+  ],
+  "interior": {"type": "solid"}    // with "medial" a crack would show inside the boulders
+}
+)"},
     {"stone", "any closed model in pieces, no drawing needed", R"({
   "levels": [
     {"cut": "voronoi:8:1", "name": "boulders"},      // 8 cells, seed 1
@@ -95,7 +104,7 @@ const char* const kRecipeSchema = R"({
   "additionalProperties": false,
   "properties": {
     "levels": {
-      "description": "Coarse to fine, each dividing the pieces of the one before. Levels of lines (map, pattern) come before those of cuts.",
+      "description": "Coarse to fine, each dividing the pieces of the one before.",
       "type": "array", "minItems": 1,
       "items": {
         "type": "object", "additionalProperties": false,
@@ -107,6 +116,17 @@ const char* const kRecipeSchema = R"({
           "projection": {"description": "how a drawing lies on the object", "type": "string", "pattern": "^(uv|box|planar(:.+)?|cylindrical(:.+)?)$"},
           "strength": {"description": "Pa, of bonds between pieces that part at this level; lines and labels of drawings win", "type": "number", "minimum": 0, "maximum": 1e15},
           "toughness": {"description": "J/m2, likewise", "type": "number", "minimum": 0, "maximum": 1e15},
+          "only": {
+            "description": "which pieces of the level before are divided; the others stand for themselves. All that is said must hold",
+            "type": "object", "additionalProperties": false, "minProperties": 1,
+            "properties": {
+              "larger": {"description": "at least this share of the object's volume", "type": "number", "minimum": 0, "maximum": 1},
+              "smaller": {"description": "at most", "type": "number", "minimum": 0, "maximum": 1},
+              "near": {"description": "[X, Y, Z] in the scene's metres, or a list of such points", "type": "array", "minItems": 1},
+              "within": {"description": "metres from one of the points; 0: it is inside", "type": "number", "minimum": 0, "maximum": 1e9},
+              "name": {"description": "that a label gives", "type": "string"}
+            }
+          },
           "name": {"type": "string"}
         }
       }

@@ -21,7 +21,7 @@
 #include "interior/point_merging.h"
 #include "interior/shell.h"
 #include "levels/bring_inside.h"
-#include "levels/volume_level.h"
+#include "levels/level_arranging.h"
 #include "measures/measures.h"
 #include "recipe_use.h"
 #include "repair/cap_holes.h"
@@ -56,9 +56,12 @@ class Bake {
         if (!cutDone) return tl::unexpected(cutDone.error());
         if (auto ok = stitchPieces(); !ok) return tl::unexpected(ok.error());
         hidden_ = hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces);
-        if (plan_.cuts.empty()) beginLooks();
+        const bool inOrder = order_.plainLevels() == order_.levels().size();
+        if (inOrder) beginLooks();
         if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());
-        if (auto ok = cutVolumes(); !ok) return tl::unexpected(ok.error());
+        if (!inOrder) {
+            if (auto ok = arrange(); !ok) return tl::unexpected(ok.error());
+        }
         assemble();
         if (auto ok = judgeFragments(); !ok) return tl::unexpected(ok.error());
         return std::move(result_);
@@ -151,6 +154,7 @@ class Bake {
         }
 #endif
         cut_ = std::move(*done);
+        order_ = LevelOrder(plan_, cut_.lines);
         if (cut_.lines.size() == 0 && !plan_.cuts.empty()) return beginWhole();
         if (closedBy_ == InteriorType::solid) {
             const Result<CarriedLines> carried =
@@ -163,11 +167,11 @@ class Bake {
             return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
         std::vector<CellReport> cells;
         components_ = componentsOf(cut_, cells);
-        reportCells(cells, report());
+        reportCells(cells, order_, report());
         report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
         reportCutting(mesh_, cut_, components_, report());
         reportShading(mesh_, cut_, report());
-        return judgeSeparation(components_, cut_, report());
+        return judgeSeparation(components_, cut_, order_, report());
     }
 
     bool hasLines() const {
@@ -191,7 +195,7 @@ class Bake {
             cut_.surface, cut_.topology, recipe_.minimumComponentShare, components_);
         if (auto ok = closePieces(); !ok) return ok;
         reportPieces(mesh_, small, pieces_, report());
-        return judgeMerged(components_, cut_, pieces_, report());
+        return judgeMerged(components_, cut_, pieces_, order_, report());
     }
 
     /// Merging pieces without volume changes what can be solid: then all over again.
@@ -249,30 +253,16 @@ class Bake {
         snapToFeet(1e-6 * diagonal_, sheet_);
     }
 
-    /// Drawn pieces with a name, before they are cut further.
-    std::vector<PieceName> namedPieces() const {
-        std::vector<PieceName> names;
-        std::vector<BakeFinding> toldLater;
-        for (const PlacedLabel& placed :
-             placeLabels(mesh_, cut_, plan_, recipe_.snapShare * diagonal_, toldLater)) {
-            const uint32_t leaf = components_.leaf[placed.triangle];
-            if (!placed.label->name.empty())
-                names.push_back(
-                    {placed.level, components_.at(placed.level, leaf), placed.label->name});
-        }
-        return names;
-    }
-
-    /// Levels behind those of lines.
-    Result<void> cutVolumes() {
-        if (plan_.cuts.empty()) return {};
+    /// Levels that cut through the volume or choose their pieces, and all behind them.
+    Result<void> arrange() {
         const StageTimer timer = stage("cutting volumes", 0.72);
         const bool drawn = components_.levels > 0;
-        const std::vector<PieceName> names = namedPieces();
-        for (const VolumeCut& cut : plan_.cuts) {
-            const PieceModel model{mesh_, cut_.surface, components_, hidden_};
-            if (auto ok = cutLevel(cut, recipe_.threads, names, model, report()); !ok) return ok;
-        }
+        if (auto ok = arrangeLevels(
+                order_, plan_,
+                {recipe_.snapShare * diagonal_, recipe_.threads, closedBy_ == InteriorType::shell},
+                {mesh_, cut_, components_, hidden_}, report());
+            !ok)
+            return ok;
         const uint32_t outside =
             drawn && !open_ ? bringInside(mesh_, 1e-6 * diagonal_, hidden_) : 0;
         if (outside > 0) {
@@ -282,7 +272,6 @@ class Bake {
                  "were moved to its surface",
                  "", outside});
         }
-        cut_.topology = buildTopology(cut_.surface.positions, vertexTriangles(cut_.surface));
         report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
         beginLooks();
         return {};
@@ -342,10 +331,11 @@ class Bake {
         const Hierarchy hierarchy = buildHierarchy(components_);
         assembleFragments(hierarchy, recipe_.physics, set);
         std::vector<BakeFinding>& findings = report().findings;
-        const std::vector<PlacedLabel> labels =
+        std::vector<PlacedLabel> labels =
             placeLabels(mesh_, cut_, plan_, recipe_.snapShare * diagonal_, findings);
+        for (PlacedLabel& placed : labels) placed.level = order_.ofLabel(placed.label->level);
         const std::vector<std::optional<size_t>> origins =
-            levelOrigins(recipe_.levels, cut_.lines, set.levels.size());
+            levelOrigins(recipe_.levels, plan_, order_, cut_.lines, set.levels.size());
         for (size_t k = 1; k < origins.size(); ++k)
             if (origins[k] && origins[k] != origins[k - 1])
                 set.levels[k].name = recipe_.levels[*origins[k]].name;
@@ -444,7 +434,8 @@ class Bake {
     std::future<Result<MedialSurface>> medial_;  ///< until a sheet is made of it
     HiddenSheet sheet_;
     bool carried_ = false;  ///< lines onto the far side of walls
-    SolidLeaves solid_;     ///< none unless the interior is solid
+    LevelOrder order_;
+    SolidLeaves solid_;  ///< none unless the interior is solid
     MendedPieces pieces_;
     HiddenMesh hidden_;  ///< until looks are made of it
     std::future<HiddenLooks> looks_;

@@ -117,7 +117,8 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
 }
 
 Result<void> judgeMerged(const Components& components, const CutSurface& cut,
-                         const MendedPieces& pieces, const BakedObjectReport& report) {
+                         const MendedPieces& pieces, const LevelOrder& order,
+                         const BakedObjectReport& report) {
     const std::string where = "mesh \"" + report.name + "\"";
     if (pieces.empty > 0) {
         return fail(
@@ -130,7 +131,7 @@ Result<void> judgeMerged(const Components& components, const CutSurface& cut,
     for (uint32_t k = 1; k <= components.levels; ++k) {
         if (components.count[k - 1] <= before) {
             return fail(ErrorCode::separatesNothing,
-                        "all pieces that the lines of level " + std::to_string(k) +
+                        "all pieces that the lines of level " + std::to_string(order.ofDrawn(k)) +
                             " separate are too small and were joined to their neighbours; draw "
                             "larger ones or "
                             "lower minimumComponentShare in a recipe",
@@ -173,9 +174,8 @@ void reportFragments(const FractureSet& set, bool shells, BakedObjectReport& rep
         entry.name = set.fragments[f].name;
         entry.level = set.fragments[f].level;
         entry.volume = set.fragments[f].volume;
-        entry.closed =
-            entry.volume > 0 &&
-            proveByPositions(set.geometry.positions, fragmentTriangles(set, f)).closed();
+        entry.closed = entry.volume > 0 &&
+                       proveByPositions(set.geometry.positions, fragmentTriangles(set, f)).closed();
         report.fragments.push_back(std::move(entry));
     }
     report.bonds = static_cast<uint32_t>(set.bonds.size());

@@ -8,6 +8,27 @@
 #include "levels/piece_cells.h"
 
 namespace sherd {
+namespace {
+
+void setLabels(const PieceCells& cells, LeafCut& leaf) {
+    if (leaf.pieces.pieces.empty()) return;
+    leaf.labels.clear();
+    for (const uint32_t cell : leaf.pieces.mainCell) leaf.labels.push_back(cells.groupOf(cell));
+}
+
+/// Of the leaf's corners: what is lowest there is the cell.
+uint32_t cellAtMiddle(const LeafMesh& leaf, const CellFunctions& functions, const CutGrid& grid) {
+    glm::dvec3 middle(0);
+    for (const glm::vec3& p : leaf.positions) middle += glm::dvec3(p);
+    const CutGridPoint at =
+        grid.snap(middle / static_cast<double>(std::max<size_t>(leaf.positions.size(), 1)));
+    uint32_t lowest = 0;
+    for (uint32_t cell = 1; cell < functions.count(); ++cell)
+        if (functions[cell].at(at) < functions[lowest].at(at)) lowest = cell;
+    return lowest;
+}
+
+}  // namespace
 
 std::vector<uint32_t> placesOf(const PieceModel& model) {
     std::vector<glm::vec3> distinct;
@@ -63,12 +84,7 @@ LeafCut cutLeaf(LeafMesh mesh, const VolumeCut& cut, uint64_t seed, const CutGri
         result.refusal = cells.error();
         return result;
     }
-    std::vector<uint32_t> groups = cells->groups;
-    std::sort(groups.begin(), groups.end());
-    result.cells =
-        groups.empty()
-            ? cells->functions.count()
-            : static_cast<uint32_t>(std::unique(groups.begin(), groups.end()) - groups.begin());
+    result.cells = cells->pieces();
     Result<MeshCut> done =
         cutMesh(result.mesh.positions, result.mesh.triangles, grid, std::move(cells->functions));
     if (!done) {
@@ -77,6 +93,25 @@ LeafCut cutLeaf(LeafMesh mesh, const VolumeCut& cut, uint64_t seed, const CutGri
     }
     result.cut = std::move(*done);
     result.pieces = assemblePieces(result.cut, {.groups = cells->groups});
+    setLabels(*cells, result);
+    return result;
+}
+
+LeafCut cutLeafByShared(LeafMesh mesh, const PieceCells& cells, double thinnest,
+                        const CutGrid& grid) {
+    LeafCut result;
+    result.mesh = std::move(mesh);
+    result.shared = true;
+    Result<MeshCut> done = cutMesh(result.mesh.positions, result.mesh.triangles, grid,
+                                   cells.functions, {.shared = true});
+    if (!done) {
+        result.refusal = done.error();
+        result.labels = {cells.groupOf(cellAtMiddle(result.mesh, cells.functions, grid))};
+        return result;
+    }
+    result.cut = std::move(*done);
+    result.pieces = assemblePieces(result.cut, {.groups = cells.groups, .thinnest = thinnest});
+    setLabels(cells, result);
     return result;
 }
 

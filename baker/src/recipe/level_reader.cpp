@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recipe/level_reader.h"
 
+#include "recipe/choice_reader.h"
+
 namespace sherd {
 
 bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::string& pointer,
@@ -18,6 +20,10 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
                             {"projection", reader.string(projection)},
                             {"strength", reader.number(level.strength, 0, 1e15)},
                             {"toughness", reader.number(level.toughness, 0, 1e15)},
+                            {"only",
+                             [&](const nlohmann::json& j, const std::string& p) {
+                                 return readChoice(reader, j, p, level.only);
+                             }},
                             {"name", reader.string(level.name)}}))
             return false;
         if ((map.empty() ? 0 : 1) + (pattern.empty() ? 0 : 1) + (cut.empty() ? 0 : 1) != 1)
@@ -26,8 +32,6 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
                 "needs one of a \"map\", the path of a drawing (SVG, JSON, PNG, "
                 "JPEG), a \"pattern\" like \"voronoi:12\", and a \"cut\" through the "
                 "volume like \"voronoi:12\"");
-        if (cut.empty() && !recipe.levels.empty() && recipe.levels.back().cut)
-            return reader.wrong(here, "comes too late: levels of lines come before those of cuts");
         level.map = map;
         if (!pattern.empty()) {
             Result<Pattern> parsed = parsePattern(pattern);
@@ -39,6 +43,10 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
             if (!parsed) return reader.wrong(here + "/cut", ": " + parsed.error().message);
             level.cut = std::move(*parsed);
             level.cut->where = reader.place(here + "/cut");
+            if (!level.only.all() && !level.cut->only.all())
+                return reader.wrong(here + "/only",
+                                    "chooses pieces, and so does the cut's text; say it once");
+            if (!level.only.all()) level.cut->only = level.only;
         }
         if (!projection.empty()) {
             const Result<Projection> parsed = parseProjection(projection);

@@ -26,6 +26,8 @@ struct CutInput {
     std::span<const std::array<uint32_t, 3>> triangles;
     std::vector<CutGridPoint> points;  ///< the positions on the grid
     const CellFunctions& functions;
+    bool shared = false;  ///< see MeshCutOptions: what is made in a triangle does not depend on
+                          ///< the side it is seen from
 
     /// f_i - f_j at the corners of a triangle.
     CornerValues cornerValues(uint32_t triangle, uint32_t i, uint32_t j) const;

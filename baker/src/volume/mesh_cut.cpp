@@ -249,10 +249,19 @@ class Cutting {
     MeshCut cut_;
 };
 
+/// On the grid. What no triangle uses stays in the middle.
+std::vector<CutGridPoint> snapUsed(std::span<const glm::vec3> positions,
+                                   std::span<const Triangle> triangles, const CutGrid& grid) {
+    std::vector<CutGridPoint> points(positions.size());
+    for (const Triangle& t : triangles)
+        for (const uint32_t v : t) points[v] = grid.snap(positions[v]);
+    return points;
+}
+
 }  // namespace
 
 Result<MeshCut> cutMesh(std::span<const glm::vec3> positions, std::span<const Triangle> triangles,
-                        const CutGrid& grid, CellFunctions cells) {
+                        const CutGrid& grid, CellFunctions cells, const MeshCutOptions& options) {
     if (triangles.empty()) return fail(ErrorCode::noTriangles, "there is nothing to cut");
     if (!edgesCancel(triangles)) {
         return fail(ErrorCode::openMesh, "only closed meshes can be cut: there are open edges");
@@ -261,16 +270,15 @@ Result<MeshCut> cutMesh(std::span<const glm::vec3> positions, std::span<const Tr
         return fail(ErrorCode::invalidData,
                     "the mesh encloses no volume, or its triangles face inwards");
     }
-    CutInput input{grid, positions, triangles, {}, cells};
-    input.points.resize(positions.size());  // what no triangle uses stays in the middle
-    for (const Triangle& t : triangles)
-        for (const uint32_t v : t) input.points[v] = grid.snap(positions[v]);
+    const CutInput input{grid,  positions,     triangles, snapUsed(positions, triangles, grid),
+                         cells, options.shared};
     MovedPlanes planes;
     MeshCut::Report report;
     // Moved planes may come to lie in other faces: a few rounds, then ties have to do.
     for (int round = 0;; ++round) {
         Cutting cutting(input);
-        planes = movePlanes(cells, cutting.cutSkin(), grid.extent() / grid.step());
+        const std::vector<CoplanarFace>& coplanar = cutting.cutSkin();
+        if (!options.shared) planes = movePlanes(cells, coplanar, grid.extent() / grid.step());
         if (planes.moved == 0 || round == kMostRounds) {
             Result<MeshCut> cut = cutting.run();
             if (!cut) return cut;
@@ -285,6 +293,26 @@ Result<MeshCut> cutMesh(std::span<const glm::vec3> positions, std::span<const Tr
         if (!moved) return tl::unexpected(moved.error());
         cells = std::move(*moved);
     }
+}
+
+Result<SettledCells> settleCells(std::span<const glm::vec3> positions,
+                                 std::span<const Triangle> triangles, const CutGrid& grid,
+                                 CellFunctions cells) {
+    if (triangles.empty()) return fail(ErrorCode::noTriangles, "there is nothing to cut");
+    const CutInput input{grid, positions, triangles, snapUsed(positions, triangles, grid), cells};
+    SettledCells result;
+    for (int round = 0; round < kMostRounds; ++round) {
+        Cutting cutting(input);
+        MovedPlanes planes = movePlanes(cells, cutting.cutSkin(), grid.extent() / grid.step());
+        if (planes.moved == 0) break;
+        result.moved += planes.moved;
+        result.opposed += planes.opposed;
+        Result<CellFunctions> moved = CellFunctions::of(std::move(planes.families));
+        if (!moved) return tl::unexpected(moved.error());
+        cells = std::move(*moved);
+    }
+    result.functions = std::move(cells);
+    return result;
 }
 
 }  // namespace sherd
