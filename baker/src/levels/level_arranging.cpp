@@ -43,6 +43,7 @@ class Arranger {
             exposeWalls(model_);
             mergeWhatStays(k + 1);
         }
+        showWhatIsApart();
         for (HiddenMesh::Face& face : object_.hidden.faces)
             face.fragment = object_.components.at(face.exposedFrom, face.leaf);
         if (surfaceIsCut_) updateTopology();
@@ -162,6 +163,17 @@ class Arranger {
         }
         drawnOf_ = std::move(drawnOf);
         skipped_ = std::move(skipped);
+    }
+
+    void showWhatIsApart() {
+        const auto isApart = [](const BakeFinding& f) { return f.code == "walls-apart"; };
+        if (std::none_of(report_.findings.begin(), report_.findings.end(), isApart)) return;
+        const uint32_t shown = showOpenPieces(model_);
+        if (shown == 0) return;
+        report_.findings.push_back({"early-walls",
+                                    "pieces show walls inside that are to part them later, for the "
+                                    "two sides of these are cut in other ways",
+                                    "", shown});
     }
 
     /// Caps of a cut end at sheets, so these show with it: as hollows, for the lines that made them

@@ -2,10 +2,13 @@
 #include "levels/level_exposure.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
+#include "geometry/closed_mesh.h"
 #include "geometry/compact_labels.h"
+#include "levels/leaf_cut.h"
 
 namespace sherd {
 
@@ -56,6 +59,36 @@ void exposeWalls(const PieceModel& model) {
         if (other[f] == kNone || pieceOf(other[f]) != pieceOf(f))
             faces[f].exposedFrom = components.levels;
     }
+}
+
+uint32_t showOpenPieces(const PieceModel& model) {
+    const Components& components = model.components;
+    std::vector<HiddenMesh::Face>& hidden = model.hidden.faces;
+    const auto outer = static_cast<uint32_t>(model.surface.triangles.size());
+    const std::vector<std::vector<uint32_t>> ofLeaf = facesOfLeaves(model);
+    uint32_t count = 0;
+    for (uint32_t level = 1; level <= components.levels; ++level) {
+        std::vector<std::vector<uint32_t>> faces(components.count[level - 1]);
+        for (uint32_t leaf = 0; leaf < components.leafCount; ++leaf) {
+            std::vector<uint32_t>& all = faces[components.at(level, leaf)];
+            all.insert(all.end(), ofLeaf[leaf].begin(), ofLeaf[leaf].end());
+        }
+        for (const std::vector<uint32_t>& piece : faces) {
+            std::vector<std::array<uint32_t, 3>> shown;
+            for (const uint32_t f : piece) {
+                if (f < outer)
+                    shown.push_back(model.surface.triangles[f].v);
+                else if (hidden[f - outer].exposedFrom <= level)
+                    shown.push_back(hidden[f - outer].v);
+            }
+            if (proveByPositions(model.hidden.positions, shown).closed()) continue;
+            ++count;
+            for (const uint32_t f : piece)
+                if (f >= outer)
+                    hidden[f - outer].exposedFrom = std::min(hidden[f - outer].exposedFrom, level);
+        }
+    }
+    return count;
 }
 
 void mergeClasses(const std::vector<uint32_t>& classOfLeaf, const PieceModel& model) {

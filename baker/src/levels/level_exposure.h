@@ -22,6 +22,11 @@ std::vector<uint32_t> otherSides(const PieceModel& model);
 /// side, for it would leave a hole where it does not show.
 void exposeWalls(const PieceModel& model);
 
+/// Where walls could not be cut alike on both sides, these may not cancel. A piece that would not be
+/// closed without them shows them, from its level on: its leaves are closed with all that they
+/// have. Returns how many pieces do.
+uint32_t showOpenPieces(const PieceModel& model);
+
 /// Makes leaves of one class one; walls within them are gone. classOfLeaf: leaves of one class are
 /// together at all levels that there are.
 void mergeClasses(const std::vector<uint32_t>& classOfLeaf, const PieceModel& model);
