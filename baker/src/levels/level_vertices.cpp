@@ -128,8 +128,13 @@ uint32_t LevelVertices::nameAt(const LeafCut& leaf, Names& names, const MeshCut:
         share = weights[static_cast<int>(placeOf(corners[a]) < placeOf(corners[b]) ? b : a)];
         findOnEdge(edge, leaf.cut.positions[t.v[k]], names.of[t.v[k]]);
     }
-    const uint32_t name = isOuter(source) ? skinName(leaf, names, t.v[k], source, weights)
-                                          : nameInside(leaf, names, t.v[k]);
+    uint32_t name = kNone;
+    if (isOuter(source))
+        name = skinName(leaf, names, t.v[k], source, weights);
+    else if (leaf.shared && across == 3)
+        name = nameInWall(leaf, names, t.v[k], source);
+    else
+        name = nameInside(leaf, names, t.v[k]);
     if (edge != kNone) edges_.add(edge, share, placeOf(name));
     return name;
 }
@@ -158,6 +163,24 @@ uint32_t LevelVertices::nameInside(const LeafCut& leaf, Names& names, uint32_t v
     std::vector<uint32_t>& known = names.of[vertex];
     if (known.empty()) known.push_back(make(leaf.cut.positions[vertex], kNone));
     return known[0];
+}
+
+/// The leaf on the other side has the same point, to the bit.
+uint32_t LevelVertices::nameInWall(const LeafCut& leaf, Names& names, uint32_t vertex,
+                                   uint32_t source) {
+    std::vector<uint32_t>& known = names.of[vertex];
+    if (!known.empty()) return known[0];
+    std::array<uint32_t, 3> wall = cornersOf(source);
+    for (uint32_t& v : wall) v = placeOf(v);
+    std::sort(wall.begin(), wall.end());
+    std::vector<uint32_t>& there = inWalls_[wall];
+    for (const uint32_t name : there) {
+        if (positionOf(name) != leaf.cut.positions[vertex]) continue;
+        known.push_back(name);
+        return name;
+    }
+    there.push_back(nameInside(leaf, names, vertex));
+    return there.back();
 }
 
 /// Two leaves may have found the same point.

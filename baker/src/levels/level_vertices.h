@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -69,6 +70,7 @@ class LevelVertices {
     void uniteSamePlaces(const std::vector<Names>& names);
     uint32_t skinName(const LeafCut& leaf, Names& names, uint32_t vertex, uint32_t source,
                       const glm::dvec3& weights);
+    uint32_t nameInWall(const LeafCut& leaf, Names& names, uint32_t vertex, uint32_t source);
     void findOnEdge(uint32_t edge, const glm::vec3& position, std::vector<uint32_t>& known) const;
     glm::vec3 positionOf(uint32_t name) const;
     bool fits(uint32_t name, uint32_t meshTriangle) const;
@@ -82,6 +84,8 @@ class LevelVertices {
     std::vector<Made> made_;
     std::unordered_map<uint64_t, uint32_t> skinAt_;  ///< place and mesh triangle -> name; looked up
                                                      ///< only
+    /// By the places of a wall's corners: what cells that cut both sides made in it.
+    std::map<std::array<uint32_t, 3>, std::vector<uint32_t>> inWalls_;
     EdgePoints edges_;
     std::vector<uint32_t> finalOf_;  ///< per made vertex
     uint32_t addedSkin_ = 0;
