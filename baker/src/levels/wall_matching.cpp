@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "levels/leaf_cut.h"
@@ -119,8 +120,6 @@ class WallMatcher {
         uint32_t apart = 0;
         for (const WallPair& pair : pairs)
             if (!matches(pair) && !match(pair)) ++apart;
-        lines_.join([this](uint32_t v) { return model_.hidden.positions[v]; });
-        if (meetsSkin()) return static_cast<uint32_t>(pairs.size());
         store();
         return apart;
     }
@@ -148,15 +147,13 @@ class WallMatcher {
         const std::optional<WallOverlay> overlay = overlayWall(*input);
         if (!overlay) return false;
         std::vector<uint32_t> vertices = frame.placeOf();
+        const auto made = static_cast<uint32_t>(model_.hidden.positions.size());
+        for (uint32_t n = 0; n < overlay->crossings.size(); ++n) vertices.push_back(made + n);
+        if (!takeEdges(waysOf(*overlay, vertices))) return false;
         for (const WallOverlay::OnEdge& p : overlay->crossings) {
             const glm::dvec3 a = model_.hidden.positions[vertices[p.a]];
             const glm::dvec3 b = model_.hidden.positions[vertices[p.b]];
-            vertices.push_back(static_cast<uint32_t>(model_.hidden.positions.size()));
             model_.hidden.positions.emplace_back(a + (b - a) * p.share);
-        }
-        for (const WallOverlay::OnEdge& p : overlay->onEdges) {
-            const uint32_t a = vertices[p.a], b = vertices[p.b];
-            lines_.add(lines_.findOrAdd(a, b), a < b ? p.share : 1 - p.share, vertices[p.point]);
         }
         for (const WallOverlay::Part& part : overlay->parts) {
             for (size_t side = 0; side < 2; ++side) {
@@ -171,15 +168,45 @@ class WallMatcher {
         return true;
     }
 
-    /// What a wall gains lies inside it: no outer face can have it on a side, unless two edges are
-    /// in one place. Then walls stay as they were.
-    bool meetsSkin() const {
-        for (const SplitTriangle& t : model_.surface.triangles) {
-            for (size_t k = 0; k < 3; ++k)
-                if (!lines_.between(places_[t.v[k]], places_[t.v[(k + 1) % 3]]).points.empty())
-                    return true;
+    using Edge = std::pair<uint32_t, uint32_t>;  ///< ascending
+    using Ways = std::map<Edge, std::vector<uint32_t>>;
+
+    /// What lies on edges, from their lower end to their higher.
+    static Ways waysOf(const WallOverlay& overlay, const std::vector<uint32_t>& vertices) {
+        Ways ways;
+        for (const WallOverlay::OnEdge& p : overlay.onEdges) {
+            const uint32_t a = vertices[p.a], b = vertices[p.b];
+            std::vector<uint32_t>& way = ways[std::minmax(a, b)];
+            way.insert(a < b ? way.end() : way.begin(), vertices[p.point]);
         }
-        return false;
+        return ways;
+    }
+
+    /// What a wall gains on an edge inside it, the caps that meet it there gain, too. Where two
+    /// walls, or a wall and the skin, have an edge in one place each would have to gain what the
+    /// other does, and that in turn: only the first gains anything.
+    bool takeEdges(const Ways& ways) {
+        if (skin_.empty()) findSkin();
+        std::vector<Edge> parts;
+        for (const auto& [edge, way] : ways) {
+            if (skin_.contains(edge) || taken_.contains(edge)) return false;
+            for (size_t n = 0; n <= way.size(); ++n) {
+                const uint32_t from = n == 0 ? edge.first : way[n - 1];
+                const uint32_t to = n == way.size() ? edge.second : way[n];
+                parts.emplace_back(std::minmax(from, to));
+                if (ways_.contains(parts.back())) return false;
+            }
+        }
+        taken_.insert(parts.begin(), parts.end());
+        for (const auto& [edge, way] : ways) taken_.insert(edge);
+        ways_.insert(ways.begin(), ways.end());
+        return true;
+    }
+
+    void findSkin() {
+        for (const SplitTriangle& t : model_.surface.triangles)
+            for (size_t k = 0; k < 3; ++k)
+                skin_.insert(std::minmax(places_[t.v[k]], places_[t.v[(k + 1) % 3]]));
     }
 
     void store() {
@@ -187,10 +214,13 @@ class WallMatcher {
         out.clear();
         const auto add = [&](HiddenMesh::Face face) {
             SideSplit split{face.v, {}, {}};
-            for (size_t k = 0; k < 3; ++k)
-                for (const EdgePoints::Point& p :
-                     lines_.between(split.v[k], split.v[(k + 1) % 3]).points)
-                    split.inner[k].push_back(p.vertex);
+            for (size_t k = 0; k < 3; ++k) {
+                const uint32_t from = split.v[k], to = split.v[(k + 1) % 3];
+                const auto way = ways_.find(std::minmax(from, to));
+                if (way == ways_.end()) continue;
+                split.inner[k] = way->second;
+                if (from > to) std::reverse(split.inner[k].begin(), split.inner[k].end());
+            }
             subdivide(split, [&](const SideSplit& part) {
                 face.v = part.v;
                 out.push_back(face);
@@ -206,7 +236,9 @@ class WallMatcher {
     std::vector<HiddenMesh::Face> faces_;  ///< over places
     std::vector<uint8_t> replaced_;
     std::vector<HiddenMesh::Face> added_;
-    EdgePoints lines_;
+    std::set<Edge> skin_;   ///< edges of outer faces
+    std::set<Edge> taken_;  ///< edges that walls have points on, and the parts of these
+    Ways ways_;
 };
 
 }  // namespace

@@ -14,9 +14,8 @@
 #include "support/baked_set.h"
 #include "support/coverage.h"
 #include "support/hidden_looks.h"
-#include "support/property.h"
-#include "support/random_solids.h"
 #include "support/surface_meshes.h"
+#include "support/wall_sides.h"
 
 using namespace sherd;
 using namespace sherd::test;
@@ -53,20 +52,6 @@ std::vector<double> volumesAt(const FractureSet& set, uint32_t level) {
     return volumes;
 }
 
-SurfaceMesh meshOf(const Solid& solid) {
-    SurfaceMesh mesh;
-    mesh.name = "random";
-    mesh.positions = solid.positions;
-    mesh.triangles = mesh.corners = solid.triangles;
-    mesh.materials = {-1};
-    mesh.triangleMaterials.assign(mesh.triangles.size(), 0);
-    std::vector<float> normals;
-    for (size_t v = 0; v < mesh.positions.size(); ++v)
-        normals.insert(normals.end(), {0.0F, 0.0F, 1.0F});
-    mesh.attributes = {{"NORMAL", 3, normals}};
-    return mesh;
-}
-
 double volumeAt(const FractureSet& set, uint32_t level) {
     double sum = 0;
     for (const double v : volumesAt(set, level)) sum += v;
@@ -80,25 +65,6 @@ void checkVolumes(const FractureSet& set, uint32_t level, std::vector<double> ex
     REQUIRE(volumes.size() == expected.size());
     for (size_t i = 0; i < volumes.size(); ++i)
         CHECK(volumes[i] == doctest::Approx(expected[i]).epsilon(1e-5));
-}
-
-/// Hidden triangles that a leaf has and no other has from its other side.
-size_t facesAlone(const FractureSet& set) {
-    const auto& p = set.geometry.positions;
-    std::map<std::array<std::array<float, 3>, 3>, int> sides;
-    for (const SeenFace& face : hiddenFacesOf(set)) {
-        std::array<std::array<float, 3>, 3> corners;
-        for (size_t k = 0; k < 3; ++k)
-            corners[k] = {p[face.v[k]].x, p[face.v[k]].y, p[face.v[k]].z};
-        if (glm::length(face.normal) < 1e-10) continue;
-        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
-                    corners.end());
-        const bool turned = corners[2] < corners[1];
-        if (turned) std::swap(corners[1], corners[2]);
-        sides[corners] += turned ? -1 : 1;
-    }
-    return static_cast<size_t>(std::count_if(sides.begin(), sides.end(),
-                                             [](const auto& side) { return side.second != 0; }));
 }
 
 /// Of points in the cube [0, size]^3: none in no piece or several, at any level.
@@ -140,7 +106,7 @@ TEST_CASE("a box cut in slices and then along a grid has just the products as pi
             checkVolumes(set, 2, {1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3});
         else
             checkVolumes(set, 2, {0.25, 0.25, 0.25, 0.25});
-        CHECK(facesAlone(set) == 0);
+        CHECK(unpairedFaces(set) == 0);
         for (uint32_t f = 0; f < set.fragments.size(); ++f)
             if (set.fragments[f].children.count > 0) CHECK(childrenAddUp(set, f));
         checkCovered(set, cube);
@@ -157,7 +123,7 @@ TEST_CASE("where every cut is by planes of its own, the order of the levels does
     checkVolumes(below, 2, volumesAt(above, 2));
     CHECK(below.levels[1].fragments.count == 3);
     CHECK(above.levels[1].fragments.count == 6);
-    CHECK(facesAlone(below) == 0);
+    CHECK(unpairedFaces(below) == 0);
     checkCovered(below, cube);
 }
 
@@ -229,7 +195,7 @@ TEST_CASE("lines divide only the pieces that they choose") {
         CHECK(parted == choice.divided);
         CHECK(fragmentsAtLevel(set, 3).size() == 2 * fragmentsAtLevel(set, 2).size());
         CHECK(volumeAt(set, 3) == doctest::Approx(1));
-        CHECK(facesAlone(set) == 0);
+        CHECK(unpairedFaces(set) == 0);
     }
     PieceChoice none;
     none.larger = 0.9;
@@ -259,7 +225,7 @@ TEST_CASE("lines that a piece was not chosen for do not cut it with deeper lines
         if (type == InteriorType::medial) continue;
         checkVolumes(
             set, 3, {1 / 6., 1 / 6., 1 / 6., 1 / 12., 1 / 12., 1 / 12., 1 / 12., 1 / 12., 1 / 12.});
-        CHECK(facesAlone(set) == 0);
+        CHECK(unpairedFaces(set) == 0);
     }
 }
 
@@ -356,57 +322,6 @@ TEST_CASE("an object scaled by a power of two has the same levels, scaled") {
     }
 }
 
-TEST_CASE("random solids bake with levels of lines and cuts in any order") {
-    const std::vector<std::string> cuts = {"cut voronoi:4", "cut slices:2x1x2",
-                                           "cut slices:2x2x1:1:jitter=0.3:tilt=0.2",
-                                           "cut bricks:2x2x1", "cut voronoi:3:1:larger=0.1"};
-    const std::vector<std::string> lines = {"voronoi:4", "voronoi:9:3", "grid:2x2",
-                                            "grid:3x2:brick", "radial:4x2"};
-    size_t bakes = 0, pieces = 0;
-    for (const uint32_t seed : propertySeeds(6'000'000, 20)) {
-        CAPTURE(seed);
-        Random random(seed);
-        const SurfaceMesh mesh = meshOf(randomSolid(random));
-        Recipe recipe;
-        if (!random.oneIn(3)) recipe.interior.type = InteriorType::solid;
-        std::vector<FracturePlan> levels;
-        const uint32_t count = 2 + random.below(3);
-        for (uint32_t k = 0; k < count; ++k) {
-            PieceChoice only;
-            if (k > 0 && random.oneIn(3)) only.larger = 0.1;
-            levels.push_back(
-                k % 2 == 0
-                    ? levelOf(cuts[random.below(static_cast<uint32_t>(cuts.size()))])
-                    : levelOf(lines[random.below(static_cast<uint32_t>(lines.size()))], only));
-        }
-        if (random.oneIn(2)) std::swap(levels.front(), levels.back());
-        const Result<BakedObject> baked = bakeObject(mesh, stackLevels(levels), recipe, 0);
-        if (!baked) {
-            CAPTURE(baked.error().message);
-            CHECK((baked.error().code == ErrorCode::separatesNothing ||
-                   baked.error().code == ErrorCode::badArgument ||
-                   baked.error().code == ErrorCode::invalidData));
-            continue;
-        }
-        ++bakes;
-        pieces += baked->set.fragments.size();
-        const FractureSet& set = baked->set;
-        for (const BakedLevelReport& level : baked->report.levels)
-            REQUIRE(level.closed == level.fragments);
-        for (uint32_t level = 2; level < set.levels.size(); ++level)
-            CHECK(volumeAt(set, level) == doctest::Approx(volumeAt(set, 1)).epsilon(1e-5));
-        for (uint32_t f = 1; f < set.fragments.size(); ++f)
-            if (set.fragments[f].children.count > 0) CHECK(childrenAddUp(set, f));
-        CheckReport report;
-        checkFractureSet(set, {}, 0, report);
-        for (const Finding& f : report.findings)
-            if (f.severity == Severity::failure) FAIL_CHECK(f.message << " " << f.where);
-    }
-    MESSAGE(bakes << " bakes, " << pieces << " pieces");
-    // One seed alone may be one of which a level separates nothing.
-    if (propertySeeds(0, 20).size() > 1) CHECK(2 * bakes > propertySeeds(0, 20).size());
-}
-
 TEST_CASE("the layers of one drawing are levels of their own, wherever it stands") {
     FractureMap map;
     for (const auto& [level, at] : {std::pair(1U, 0.4), std::pair(2U, 0.7)}) {
@@ -449,5 +364,5 @@ TEST_CASE("the checks of these tests find a wall that shows too late, and one th
     const std::vector<SeenFace> faces = hiddenFacesOf(set);
     REQUIRE_FALSE(faces.empty());
     set.geometry.positions[faces[0].v[0]] += glm::vec3(0.02F, 0.01F, 0.015F);
-    CHECK(facesAlone(set) > 0);
+    CHECK(unpairedFaces(set) > 0);
 }
