@@ -41,8 +41,8 @@ class Joiner {
         }
         findWalls();
         store();
-        const uint32_t apart = matchWalls(walls_, model_);
-        return {std::move(parents_), apart};
+        const MatchedWalls matched = matchWalls(walls_, model_);
+        return {std::move(parents_), matched.folded, matched.apart};
     }
 
   private:

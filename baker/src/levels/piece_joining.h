@@ -11,7 +11,8 @@ namespace sherd {
 
 struct JoinedPieces {
     std::vector<uint32_t> parents;  ///< per leaf as they are now: which it was part of
-    uint32_t apart = 0;  ///< triangles of walls that could not be cut on both sides alike
+    uint32_t folded = 0;  ///< triangles of walls that could not be cut on both sides alike
+    uint32_t apart = 0;   ///< of which that was no help either
 };
 
 /// cuts: per leaf; those that are not divided stay as they are. Every piece becomes a leaf, and a

@@ -221,6 +221,12 @@ Result<std::vector<uint32_t>> cutLevel(const VolumeCut& cut, unsigned threads,
     JoinedPieces joined = joinPieces(done->leaves, model);
     summary.lumps += countLumps(piecesOfShared(*done, joined.parents, model.components), model);
     summary.tell(cut, report);
+    if (joined.folded > 0) {
+        report.findings.push_back({"walls-folded",
+                                   "triangles of walls between pieces, too small to be cut alike "
+                                   "on both sides, have a fold on one of them",
+                                   cut.text, joined.folded});
+    }
     if (joined.apart > 0) {
         report.findings.push_back({"walls-apart",
                                    "triangles of walls between pieces are cut in other ways on "

@@ -10,6 +10,7 @@
 
 #include "levels/leaf_cut.h"
 #include "levels/side_split.h"
+#include "levels/wall_fold.h"
 #include "levels/wall_overlay.h"
 
 namespace sherd {
@@ -17,9 +18,25 @@ namespace {
 
 constexpr int32_t kSide = WallOverlayInput::kSide;
 
-GridPoint onSide(size_t k, double share) {
-    const auto n = std::clamp(static_cast<int32_t>(std::lround(share * kSide)), 1, kSide - 1);
+GridPoint onSide(size_t k, int32_t n) {
     return k == 0 ? GridPoint{n, 0} : k == 1 ? GridPoint{kSide - n, n} : GridPoint{0, kSide - n};
+}
+
+/// Where points of a side lie on the grid, in their order and apart however near they are.
+std::vector<int32_t> stepsOf(const std::vector<EdgePoints::Point>& side) {
+    std::vector<int32_t> steps;
+    const auto count = static_cast<int32_t>(side.size());
+    for (const EdgePoints::Point& p : side) {
+        const auto n = static_cast<int32_t>(steps.size());
+        const int32_t least = n == 0 ? 1 : steps.back() + 1;
+        const auto at = static_cast<int32_t>(std::lround(std::clamp(p.share, 0.0, 1.0) * kSide));
+        steps.push_back(std::clamp(at, least, std::max(least, kSide - (count - n))));
+    }
+    return steps;
+}
+
+bool isFlat(const std::array<uint32_t, 3>& v) {
+    return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
 }
 
 /// One wall in its own frame.
@@ -42,20 +59,26 @@ class WallFrame {
         bool distinct = true;
         for (size_t k = 0; k < 3; ++k)
             distinct = add(places_[pair_.v[k]], corners[k], input) && distinct;
-        for (size_t k = 0; k < 3; ++k)
-            for (const EdgePoints::Point& p : pair_.onSides[k])
-                distinct = add(places_[p.vertex], onSide(k, p.share), input) && distinct;
+        for (size_t k = 0; k < 3; ++k) {
+            const std::vector<int32_t> steps = stepsOf(pair_.onSides[k]);
+            for (size_t n = 0; n < steps.size(); ++n)
+                distinct = add(places_[pair_.onSides[k][n].vertex], onSide(k, steps[n]), input) &&
+                           distinct;
+        }
         for (size_t side = 0; side < 2; ++side) {
             for (const uint32_t f : pair_.faces[side]) {
                 std::array<uint32_t, 3> t = model_.hidden.faces[f].v;
+                for (uint32_t& v : t) v = places_[v];
+                if (isFlat(t)) continue;
                 if (side == 1) std::swap(t[1], t[2]);
                 for (uint32_t& v : t) {
-                    const uint32_t place = places_[v];
+                    const uint32_t place = v;
                     if (!local_.contains(place))
                         distinct = add(place, inner(place), input) && distinct;
                     v = local_[place];
                 }
                 input.cuts[side].push_back(t);
+                faceOf_[side].push_back(f);
             }
         }
         if (!distinct) return std::nullopt;
@@ -63,6 +86,8 @@ class WallFrame {
     }
 
     const std::vector<uint32_t>& placeOf() const { return placeOf_; }
+    /// Of the input's triangles the hidden faces: those that have an area.
+    const std::vector<uint32_t>& facesOf(size_t side) const { return faceOf_[side]; }
 
   private:
     glm::dvec3 at(uint32_t v) const { return model_.hidden.positions[v]; }
@@ -105,6 +130,7 @@ class WallFrame {
     glm::dvec3 ab_, ac_, normal_;
     std::map<uint32_t, uint32_t> local_;  ///< by place
     std::vector<uint32_t> placeOf_;       ///< per local point
+    std::array<std::vector<uint32_t>, 2> faceOf_;
 };
 
 class WallMatcher {
@@ -116,12 +142,12 @@ class WallMatcher {
         replaced_.assign(faces_.size(), 0);
     }
 
-    uint32_t run(const std::vector<WallPair>& pairs) {
+    MatchedWalls run(const std::vector<WallPair>& pairs) {
         uint32_t apart = 0;
         for (const WallPair& pair : pairs)
-            if (!matches(pair) && !match(pair)) ++apart;
+            if (!matches(pair) && !match(pair) && !fold(pair)) ++apart;
         store();
-        return apart;
+        return {folded_, apart};
     }
 
   private:
@@ -131,6 +157,7 @@ class WallMatcher {
         for (size_t side = 0; side < 2; ++side) {
             for (const uint32_t f : pair.faces[side]) {
                 auto t = faces_[f].v;
+                if (isFlat(t)) continue;
                 if (side == 1) std::swap(t[1], t[2]);
                 std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
                 sides[side].push_back(t);
@@ -138,6 +165,16 @@ class WallMatcher {
             std::sort(sides[side].begin(), sides[side].end());
         }
         return sides[0] == sides[1];
+    }
+
+    bool fold(const WallPair& pair) {
+        const std::optional<WallFold> fold = foldWall(faces_, pair.faces, model_);
+        if (!fold) return false;
+        added_.insert(added_.end(), fold->added.begin(), fold->added.end());
+        for (const uint32_t f : fold->dropped) replaced_[f] = 1;
+        for (const uint32_t f : fold->inner) faces_[f].exposedFrom = fold->exposedFrom;
+        ++folded_;
+        return true;
     }
 
     bool match(const WallPair& pair) {
@@ -157,7 +194,7 @@ class WallMatcher {
         }
         for (const WallOverlay::Part& part : overlay->parts) {
             for (size_t side = 0; side < 2; ++side) {
-                HiddenMesh::Face face = faces_[pair.faces[side][part.of[side]]];
+                HiddenMesh::Face face = faces_[frame.facesOf(side)[part.of[side]]];
                 for (size_t k = 0; k < 3; ++k) face.v[k] = vertices[part.v[k]];
                 if (side == 1) std::swap(face.v[1], face.v[2]);
                 added_.push_back(face);
@@ -236,6 +273,7 @@ class WallMatcher {
     std::vector<HiddenMesh::Face> faces_;  ///< over places
     std::vector<uint8_t> replaced_;
     std::vector<HiddenMesh::Face> added_;
+    uint32_t folded_ = 0;
     std::set<Edge> skin_;   ///< edges of outer faces
     std::set<Edge> taken_;  ///< edges that walls have points on, and the parts of these
     Ways ways_;
@@ -243,8 +281,8 @@ class WallMatcher {
 
 }  // namespace
 
-uint32_t matchWalls(const std::vector<WallPair>& pairs, const PieceModel& model) {
-    if (pairs.empty()) return 0;
+MatchedWalls matchWalls(const std::vector<WallPair>& pairs, const PieceModel& model) {
+    if (pairs.empty()) return {};
     return WallMatcher(model).run(pairs);
 }
 
