@@ -259,6 +259,7 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
             FracturePlan::Grown& grown = plan.patterns.emplace_back();
             grown.pattern = *level.pattern;
             grown.only = level.only;
+            grown.where = level.where;
             const std::string& density = grown.pattern.density;
             if (!density.empty() && density != "color") {
                 Result<GreyImage> picture = readGreyImage(density);
@@ -269,7 +270,7 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
         }
         Result<FractureMap> map = readFractureMap(level.map, mapOptions(recipe));
         if (!map) return tl::unexpected(map.error());
-        plan.drawings.push_back({std::move(*map), level.projection, level.only});
+        plan.drawings.push_back({std::move(*map), level.projection, level.only, level.where});
     }
     return stackLevels(std::move(levels));
 }

@@ -104,7 +104,7 @@ class Arranger {
                     "the lines of level " + std::to_string(components.levels) +
                         " divide no piece of the level before that they are to divide; draw lines "
                         "that close around part of one, also where they run over its neighbours",
-                    where());
+                    where(level));
     }
 
     Result<std::vector<uint8_t>> choose(const OrderedLevel& level,
@@ -120,7 +120,7 @@ class Arranger {
         if (chosen) return chosen;
         return fail(
             chosen.error().code, chosen.error().message,
-            where() + ", the lines of level " + std::to_string(object_.components.levels + 1));
+            where(level) + ", the lines of level " + std::to_string(object_.components.levels + 1));
     }
 
     /// A piece of which the lines divide nothing that hangs together stays whole.
@@ -207,7 +207,10 @@ class Arranger {
         topologyIsOld_ = false;
     }
 
-    std::string where() const { return "mesh \"" + object_.mesh.name + "\""; }
+    std::string where(const OrderedLevel& level) const {
+        return "mesh \"" + object_.mesh.name + "\"" +
+               (level.where.empty() ? "" : ", " + level.where);
+    }
 
     const LevelOrder& order_;
     const FracturePlan& plan_;

@@ -8,19 +8,25 @@ namespace {
 
 constexpr uint32_t kAllLines = 0xFFFFFFFFU;
 
-/// What the first source of a level that chooses pieces says.
-const PieceChoice* choiceOf(const FracturePlan& plan, uint32_t asked) {
-    for (const FracturePlan::Drawing& drawing : plan.drawings) {
-        const auto isHere = [asked](const auto& line) { return line.level == asked; };
-        const FractureMap& map = drawing.map;
-        if (!drawing.only.all() &&
-            (std::any_of(map.lines.begin(), map.lines.end(), isHere) ||
-             std::any_of(map.surfaceLines.begin(), map.surfaceLines.end(), isHere)))
-            return &drawing.only;
-    }
+bool hasLinesOf(const FracturePlan::Drawing& drawing, uint32_t asked) {
+    const auto isHere = [asked](const auto& line) { return line.level == asked; };
+    const FractureMap& map = drawing.map;
+    return std::any_of(map.lines.begin(), map.lines.end(), isHere) ||
+           std::any_of(map.surfaceLines.begin(), map.surfaceLines.end(), isHere);
+}
+
+/// What the first source of a level that chooses pieces says, and where the first of all is said.
+OrderedLevel drawnLevel(const FracturePlan& plan, uint32_t drawn, uint32_t asked) {
+    OrderedLevel level{drawn, nullptr, nullptr, {}, asked};
+    const auto take = [&](const PieceChoice& only, const std::string& where) {
+        if (level.where.empty()) level.where = where;
+        if (level.only == nullptr && !only.all()) level.only = &only;
+    };
+    for (const FracturePlan::Drawing& drawing : plan.drawings)
+        if (hasLinesOf(drawing, asked)) take(drawing.only, drawing.where);
     for (const FracturePlan::Grown& grown : plan.patterns)
-        if (!grown.only.all() && grown.level == asked) return &grown.only;
-    return nullptr;
+        if (grown.level == asked) take(grown.only, grown.where);
+    return level;
 }
 
 }  // namespace
@@ -30,14 +36,13 @@ LevelOrder::LevelOrder(const FracturePlan& plan, const LineTable& lines) {
     const auto addLines = [&](uint32_t upTo) {
         while (drawn < upTo) {
             ++drawn;
-            const uint32_t asked = lines.asked(drawn);
-            levels_.push_back({drawn, nullptr, choiceOf(plan, asked), asked});
+            levels_.push_back(drawnLevel(plan, drawn, lines.asked(drawn)));
         }
     };
     for (size_t c = 0; c < plan.cuts.size(); ++c) {
         const uint32_t behind = c < plan.cutsBehind.size() ? plan.cutsBehind[c] : kAllLines;
         addLines(lines.closedUp(behind));
-        levels_.push_back({0, &plan.cuts[c], nullptr, behind});
+        levels_.push_back({0, &plan.cuts[c], nullptr, {}, behind});
     }
     addLines(lines.levels());
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sherd/baker/fracture_plan.h"
@@ -14,6 +15,7 @@ struct OrderedLevel {
     uint32_t drawn = 0;                 ///< of lines: their level in the line table; 0: a cut
     const VolumeCut* cut = nullptr;     ///< of the plan, unless it is a level of lines
     const PieceChoice* only = nullptr;  ///< which pieces lines divide; null: all
+    std::string where;                  ///< of lines: their pointer in a recipe; may be empty
     uint32_t asked = 0;  ///< its level in the plan; of cuts behind all lines more than any
 };
 

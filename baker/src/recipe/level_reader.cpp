@@ -76,6 +76,7 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
             if (!parsed) return reader.wrong(here + "/projection", ": " + parsed.error().message);
             level.projection = *parsed;
         }
+        level.where = reader.place(here);
         recipe.levels.push_back(level);
     }
     if (endsInCluster(recipe.levels)) {

@@ -171,7 +171,9 @@ TEST_CASE("random solids bake with levels of lines, cuts and clusters in any ord
                                              "clcl", "gcl", "cgl", "clgc", "lcgl", "lgcl"};
     std::map<std::string, uint32_t> told;
     size_t bakes = 0, pieces = 0;
-    const std::vector<uint32_t> seeds = propertySeeds(6'100'000, 24);
+    std::vector<uint32_t> seeds = propertySeeds(6'100'000, 24);
+    // Walls between pieces that part last had faces without opposite.
+    if (seeds.size() > 1) seeds.push_back(6'100'262);
     for (const uint32_t seed : seeds) {
         CAPTURE(seed);
         Random random(seed);
@@ -194,7 +196,9 @@ TEST_CASE("random solids bake with levels of lines, cuts and clusters in any ord
         ++bakes;
         pieces += baked->set.fragments.size();
         for (const BakeFinding& finding : baked->report.findings) ++told[finding.code];
-        if (std::getenv("TELL")) for (const BakeFinding& f : baked->report.findings) MESSAGE(f.code << " x" << f.count << ": " << f.message);
+        if (std::getenv("TELL"))
+            for (const BakeFinding& f : baked->report.findings)
+                MESSAGE(f.code << " x" << f.count << ": " << f.message);
         checkLevels(*baked);
         const bool isThrough =
             recipe.interior.type == InteriorType::solid && !tells(baked->report, "solid-fallback");
@@ -203,7 +207,39 @@ TEST_CASE("random solids bake with levels of lines, cuts and clusters in any ord
         if (solid.simple) checkCovered(baked->set, mesh);
     }
     MESSAGE(bakes << " bakes, " << pieces << " pieces, walls apart in " << told["walls-apart"]
-                  << ", folded in " << told["walls-folded"] << ", early in " << told["early-walls"]);
+                  << ", folded in " << told["walls-folded"] << ", early in "
+                  << told["early-walls"]);
     // One seed alone may be one of which a level separates nothing.
     if (seeds.size() > 1) CHECK(2 * bakes > seeds.size());
+}
+
+TEST_CASE("solids bake whose walls once grew without end, were open, or had no opposite") {
+    // Each seed with what was wrong: an open wall, walls of millions of faces, a hull out of its
+    // piece.
+    for (const uint32_t seed : {6'000'015U, 6'000'021U, 6'000'052U}) {
+        CAPTURE(seed);
+        const std::vector<std::string> cuts = {"voronoi:4", "slices:2x1x2",
+                                               "slices:2x2x1:1:jitter=0.3:tilt=0.2", "bricks:2x2x1",
+                                               "voronoi:3:1:larger=0.1"};
+        const std::vector<std::string> patterns = {"voronoi:4", "voronoi:9:3", "grid:2x2",
+                                                   "grid:3x2:brick", "radial:4x2"};
+        Random random(seed);
+        const SurfaceMesh mesh = meshOf(randomSolid(random));
+        Recipe recipe;
+        if (!random.oneIn(3)) recipe.interior.type = InteriorType::solid;
+        std::vector<FracturePlan> levels(2 + random.below(3));
+        for (uint32_t k = 0; k < levels.size(); ++k) {
+            PieceChoice only;
+            if (k > 0 && random.oneIn(3)) only.larger = 0.1;
+            if (k % 2 == 0)
+                levels[k].cuts.push_back(parseVolumeCut(oneOf(random, cuts)).value());
+            else
+                levels[k].patterns.push_back(
+                    {parsePattern(oneOf(random, patterns)).value(), 1, nullptr, only});
+        }
+        if (random.oneIn(2)) std::swap(levels.front(), levels.back());
+        const Result<BakedObject> baked = bakeObject(mesh, stackLevels(levels), recipe, 0);
+        REQUIRE(baked.has_value());
+        checkLevels(*baked);
+    }
 }

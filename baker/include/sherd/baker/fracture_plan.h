@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sherd/baker/cluster.h"
@@ -20,13 +21,15 @@ struct FracturePlan {
     struct Drawing {
         FractureMap map;
         Projection projection;
-        PieceChoice only = {};  ///< pieces of the level before that its lines divide
+        PieceChoice only = {};   ///< pieces of the level before that its lines divide
+        std::string where = {};  ///< its level's pointer in a recipe, for messages; may be empty
     };
     struct Grown {
         Pattern pattern;
         uint32_t level = 1;
         std::shared_ptr<const GreyImage> density = {};  ///< the picture `pattern.density` names
-        PieceChoice only = {};  ///< pieces of the level before that it divides
+        PieceChoice only = {};   ///< pieces of the level before that it divides
+        std::string where = {};  ///< as a drawing's
     };
     struct Grouped {
         Cluster cluster;
