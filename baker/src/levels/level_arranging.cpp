@@ -13,6 +13,7 @@
 #include "levels/level_exposure.h"
 #include "levels/piece_cut.h"
 #include "levels/piece_names.h"
+#include "levels/sliver_joining.h"
 #include "levels/volume_level.h"
 
 namespace sherd {
@@ -41,6 +42,7 @@ class Arranger {
             const OrderedLevel& level = order_.levels()[k];
             if (level.cut != nullptr) tellInnerSheets();
             if (auto ok = level.cut != nullptr ? cut(*level.cut) : part(level); !ok) return ok;
+            if (auto ok = joinThin(level); !ok) return ok;
             exposeWalls(model_);
             mergeWhatStays(k + 1);
         }
@@ -63,6 +65,24 @@ class Arranger {
         for (HiddenMesh::Face& face : object_.hidden.faces)
             if (face.exposedFrom > std::max(levels, face.wall ? 0U : 1U))
                 face.exposedFrom = kNotExposed;
+    }
+
+    Result<void> joinThin(const OrderedLevel& level) {
+        const uint32_t joined = joinSlivers(model_);
+        if (joined == 0) return {};
+        const Components& components = object_.components;
+        const uint32_t now = components.count.back();
+        report_.levels.back().components = now;
+        report_.findings.push_back(
+            {"slivers", "pieces of hardly any volume were joined to a neighbour",
+             level.cut != nullptr ? level.cut->text : "level " + std::to_string(components.levels),
+             joined});
+        const bool divides = now > (components.levels > 1 ? components.count.end()[-2] : 1);
+        if (divides) return {};
+        return fail(ErrorCode::separatesNothing,
+                    "level " + std::to_string(components.levels) +
+                        " divides pieces into parts of which all but one have hardly any volume",
+                    where(level));
     }
 
     Result<void> cut(const VolumeCut& cut) {
