@@ -134,8 +134,9 @@ void addLevelOptions(CLI::App& command, const std::string& drawingOption,
                 "voronoi:N[:SEED], grid:N, slices:NxMxK, wood:N, points:X,Y,Z;..., "
                 "bricks:NxMxK, glass:NxM or map:FILE[:axis=z] (a drawing, straight through), and "
                 ":larger=SHARE, :smaller=SHARE, "
-                ":near=X,Y,Z, :within=METRES or :name=NAME to choose pieces; behind all "
-                "levels of lines")
+                ":near=X,Y,Z, :within=METRES or :name=NAME to choose pieces; takes its "
+                "place among " +
+                    drawingOption + " and --pattern as it stands")
             ->allow_extra_args(false);
     arguments.cluster =
         command
@@ -254,13 +255,11 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
             plan.cuts.back().drawing = std::make_shared<FractureMap>(std::move(*map));
             continue;
         }
-        if (std::any_of(levels.begin(), levels.end(),
-                        [](const FracturePlan& before) { return !before.cuts.empty(); }))
-            return fail(ErrorCode::badArgument,
-                        "levels of lines must come before levels that cut through the volume");
         if (level.pattern) {
             FracturePlan::Grown& grown = plan.patterns.emplace_back();
             grown.pattern = *level.pattern;
+            grown.only = level.only;
+            grown.where = level.where;
             const std::string& density = grown.pattern.density;
             if (!density.empty() && density != "color") {
                 Result<GreyImage> picture = readGreyImage(density);
@@ -271,7 +270,7 @@ Result<FracturePlan> readPlan(const Recipe& recipe) {
         }
         Result<FractureMap> map = readFractureMap(level.map, mapOptions(recipe));
         if (!map) return tl::unexpected(map.error());
-        plan.drawings.push_back({std::move(*map), level.projection});
+        plan.drawings.push_back({std::move(*map), level.projection, level.only, level.where});
     }
     return stackLevels(std::move(levels));
 }

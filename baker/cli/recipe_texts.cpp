@@ -3,7 +3,7 @@
 
 namespace sherd::cli {
 
-const std::array<RecipeExample, 8> kRecipeExamples = {{
+const std::array<RecipeExample, 9> kRecipeExamples = {{
     {"drawn", "cracks that an artist drew, coarse and fine", R"({
   // Coarse to fine; each level divides the pieces of the one before.
   "levels": [
@@ -49,6 +49,15 @@ const std::array<RecipeExample, 8> kRecipeExamples = {{
     {"label": "base"},                                          // a piece by its name
     {"box": {"min": [-0.1, 0, -0.1], "max": [0.1, 0.2, 0.1]}}   // or whatever lies in a box
   ]
+}
+)"},
+    {"boulder", "boulders first, and what is drawn on them, but only where they are large", R"({
+  "levels": [
+    {"cut": "voronoi:6", "name": "boulders"},
+    {"map": "cracks.svg", "only": {"larger": 0.1}},          // lines in large boulders
+    {"cut": "voronoi:4:1", "only": {"near": [[0, 1.7, 0]], "within": 0.2}}
+  ],
+  "interior": {"type": "solid"}    // with "medial" a crack would show inside the boulders
 }
 )"},
     {"stone", "any closed model in pieces, no drawing needed", R"({
@@ -107,7 +116,7 @@ const char* const kRecipeSchema = R"({
   "properties": {
     "$schema": {"description": "where this schema is, for editors", "type": "string"},
     "levels": {
-      "description": "Coarse to fine, each dividing the pieces of the one before. Levels of lines (map, pattern) come before those of cuts; a cluster groups the pieces of the level behind it.",
+      "description": "Coarse to fine, each dividing the pieces of the one before: lines (map, pattern) and cuts in any order; a cluster groups the pieces of the level behind it.",
       "type": "array", "minItems": 1,
       "items": {
         "type": "object", "additionalProperties": false,
@@ -144,6 +153,17 @@ const char* const kRecipeSchema = R"({
           "projection": {"description": "how a drawing lies on the object", "type": "string", "pattern": "^(uv|box|planar(:.+)?|cylindrical(:.+)?)$"},
           "strength": {"description": "Pa, of bonds between pieces that part at this level; lines and labels of drawings win", "type": "number", "minimum": 0, "maximum": 1e15},
           "toughness": {"description": "J/m2, likewise", "type": "number", "minimum": 0, "maximum": 1e15},
+          "only": {
+            "description": "which pieces of the level before are divided; the others stand for themselves. All that is said must hold",
+            "type": "object", "additionalProperties": false, "minProperties": 1,
+            "properties": {
+              "larger": {"description": "at least this share of the object's volume", "type": "number", "minimum": 0, "maximum": 1},
+              "smaller": {"description": "at most", "type": "number", "minimum": 0, "maximum": 1},
+              "near": {"description": "[X, Y, Z] in the scene's metres, or a list of such points", "type": "array", "minItems": 1},
+              "within": {"description": "metres from one of the points; 0: it is inside", "type": "number", "minimum": 0, "maximum": 1e9},
+              "name": {"description": "that a label gives", "type": "string"}
+            }
+          },
           "name": {"type": "string"}
         }
       }

@@ -10,7 +10,7 @@ struct RecipeExample {
     const char* about;
     const char* text;
 };
-extern const std::array<RecipeExample, 8> kRecipeExamples;
+extern const std::array<RecipeExample, 9> kRecipeExamples;
 
 /// JSON Schema, draft 7.
 extern const char* const kRecipeSchema;

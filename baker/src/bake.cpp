@@ -23,7 +23,8 @@
 #include "interior/shell.h"
 #include "levels/bring_inside.h"
 #include "levels/cluster_level.h"
-#include "levels/volume_level.h"
+#include "levels/level_arranging.h"
+#include "levels/piece_names.h"
 #include "measures/measures.h"
 #include "recipe_use.h"
 #include "repair/cap_holes.h"
@@ -61,9 +62,12 @@ class Bake {
         if (!cutDone) return tl::unexpected(cutDone.error());
         if (auto ok = stitchPieces(); !ok) return tl::unexpected(ok.error());
         hidden_ = hiddenMesh(mesh_, cut_.surface, components_, sheet_, pieces_.faces);
-        if (plan_.cuts.empty() && plan_.clusters.empty()) beginLooks();
+        const bool inOrder = order_.plainLevels() == order_.levels().size();
+        if (inOrder && plan_.clusters.empty()) beginLooks();
         if (auto ok = proveClosed(); !ok) return tl::unexpected(ok.error());
-        if (auto ok = cutVolumes(); !ok) return tl::unexpected(ok.error());
+        if (!inOrder) {
+            if (auto ok = arrange(); !ok) return tl::unexpected(ok.error());
+        }
         if (auto ok = groupPieces(); !ok) return tl::unexpected(ok.error());
         assemble();
         if (auto ok = judgeFragments(); !ok) return tl::unexpected(ok.error());
@@ -157,6 +161,7 @@ class Bake {
         }
 #endif
         cut_ = std::move(*done);
+        order_ = LevelOrder(plan_, cut_.lines);
         if (cut_.lines.size() == 0 && !plan_.cuts.empty()) return beginWhole();
         if (closedBy_ == InteriorType::solid) {
             const Result<CarriedLines> carried =
@@ -169,11 +174,11 @@ class Bake {
             return fail(ErrorCode::emptyMap, "there is no fracture line to cut along");
         std::vector<CellReport> cells;
         components_ = componentsOf(cut_, cells);
-        reportCells(cells, report());
+        reportCells(cells, order_, report());
         report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
         reportCutting(mesh_, cut_, components_, report());
         reportShading(mesh_, cut_, report());
-        return judgeSeparation(components_, cut_, report());
+        return judgeSeparation(components_, cut_, order_, report());
     }
 
     bool hasLines() const {
@@ -197,7 +202,7 @@ class Bake {
             cut_.surface, cut_.topology, recipe_.minimumComponentShare, components_);
         if (auto ok = closePieces(); !ok) return ok;
         reportPieces(mesh_, small, pieces_, report());
-        return judgeMerged(components_, cut_, pieces_, report());
+        return judgeMerged(components_, cut_, pieces_, order_, report());
     }
 
     /// Merging pieces without volume changes what can be solid: then all over again.
@@ -255,30 +260,16 @@ class Bake {
         snapToFeet(1e-6 * diagonal_, sheet_);
     }
 
-    /// Drawn pieces with a name, before they are cut further.
-    std::vector<PieceName> namedPieces() const {
-        std::vector<PieceName> names;
-        std::vector<BakeFinding> toldLater;
-        for (const PlacedLabel& placed :
-             placeLabels(mesh_, cut_, plan_, recipe_.snapShare * diagonal_, toldLater)) {
-            const uint32_t leaf = components_.leaf[placed.triangle];
-            if (!placed.label->name.empty())
-                names.push_back(
-                    {placed.level, components_.at(placed.level, leaf), placed.label->name});
-        }
-        return names;
-    }
-
-    /// Levels behind those of lines.
-    Result<void> cutVolumes() {
-        if (plan_.cuts.empty()) return {};
+    /// Levels that cut through the volume or choose their pieces, and all behind them.
+    Result<void> arrange() {
         const StageTimer timer = stage("cutting volumes", 0.72);
         const bool drawn = components_.levels > 0;
-        const std::vector<PieceName> names = namedPieces();
-        for (const VolumeCut& cut : plan_.cuts) {
-            const PieceModel model{mesh_, cut_.surface, components_, hidden_};
-            if (auto ok = cutLevel(cut, recipe_.threads, names, model, report()); !ok) return ok;
-        }
+        if (auto ok = arrangeLevels(
+                order_, plan_,
+                {recipe_.snapShare * diagonal_, recipe_.threads, closedBy_ == InteriorType::shell},
+                {mesh_, cut_, components_, hidden_}, report());
+            !ok)
+            return ok;
         const uint32_t outside =
             drawn && !open_ ? bringInside(mesh_, 1e-6 * diagonal_, hidden_) : 0;
         if (outside > 0) {
@@ -288,7 +279,6 @@ class Bake {
                  "were moved to its surface",
                  "", outside});
         }
-        cut_.topology = buildTopology(cut_.surface.positions, vertexTriangles(cut_.surface));
         report().splitTriangles = static_cast<uint32_t>(cut_.surface.triangles.size());
         if (plan_.clusters.empty()) beginLooks();
         return {};
@@ -298,10 +288,8 @@ class Bake {
     Result<void> groupPieces() {
         if (plan_.clusters.empty()) return {};
         const StageTimer timer = stage("grouping", 0.74);
-        const auto drawn = components_.levels - static_cast<uint32_t>(plan_.cuts.size());
-        for (const FracturePlan::Grouped& g : plan_.clusters)
-            clusters_.push_back(
-                {&g.cluster, g.cuts ? drawn + *g.cuts : cut_.lines.closedUp(g.lines)});
+        for (const FracturePlan::Grouped& group : plan_.clusters)
+            clusters_.push_back({&group.cluster, order_.above(group)});
         const PieceModel model{mesh_, cut_.surface, components_, hidden_};
         Result<void> done = addClusters(clusters_, {kSheetTolerance * diagonal_, recipe_.threads},
                                         namedPieces(), model, report());
@@ -309,22 +297,10 @@ class Bake {
         return done;
     }
 
-    /// Of levels of the set, those of clusters too, the recipe's.
-    std::vector<std::optional<size_t>> origins(size_t levelCount) const {
-        std::vector<RecipeLevel> made;
-        std::vector<size_t> madeAt, clusterAt;
-        for (size_t k = 0; k < recipe_.levels.size(); ++k) {
-            (recipe_.levels[k].cluster ? clusterAt : madeAt).push_back(k);
-            if (!recipe_.levels[k].cluster) made.push_back(recipe_.levels[k]);
-        }
-        const std::vector<std::optional<size_t>> ofMade =
-            levelOrigins(made, cut_.lines, levelCount - clusters_.size());
-        std::vector<std::optional<size_t>> result(levelCount);
-        for (uint32_t level = 0; level < ofMade.size(); ++level)
-            if (ofMade[level]) result[levelAmong(clusters_, level)] = madeAt[*ofMade[level]];
-        for (size_t n = 0; n < std::min(clusters_.size(), clusterAt.size()); ++n)
-            result[clusters_[n].above + n + 1] = clusterAt[n];
-        return result;
+    std::vector<PieceName> namedPieces() const {
+        std::vector<BakeFinding> toldLater;
+        return namesOf(placeLabels(mesh_, cut_, plan_, recipe_.snapShare * diagonal_, toldLater),
+                       order_, components_);
     }
 
     /// How hidden faces look is worked out beside the proofs; assemble() waits for it.
@@ -383,8 +359,10 @@ class Bake {
         std::vector<BakeFinding>& findings = report().findings;
         std::vector<PlacedLabel> labels =
             placeLabels(mesh_, cut_, plan_, recipe_.snapShare * diagonal_, findings);
-        for (PlacedLabel& label : labels) label.level = levelAmong(clusters_, label.level);
-        const std::vector<std::optional<size_t>> origins = this->origins(set.levels.size());
+        for (PlacedLabel& placed : labels)
+            placed.level = levelAmong(clusters_, order_.ofLabel(placed.label->level));
+        const std::vector<std::optional<size_t>> origins =
+            levelOrigins(recipe_.levels, plan_, order_, clusters_, cut_.lines, set.levels.size());
         for (size_t k = 1; k < origins.size(); ++k)
             if (origins[k] && origins[k] != origins[k - 1])
                 set.levels[k].name = recipe_.levels[*origins[k]].name;
@@ -483,7 +461,8 @@ class Bake {
     std::future<Result<MedialSurface>> medial_;  ///< until a sheet is made of it
     HiddenSheet sheet_;
     bool carried_ = false;  ///< lines onto the far side of walls
-    SolidLeaves solid_;     ///< none unless the interior is solid
+    LevelOrder order_;
+    SolidLeaves solid_;  ///< none unless the interior is solid
     MendedPieces pieces_;
     HiddenMesh hidden_;  ///< until looks are made of it
     std::vector<ClusterAt> clusters_;

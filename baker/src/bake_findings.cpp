@@ -117,7 +117,8 @@ Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology
 }
 
 Result<void> judgeMerged(const Components& components, const CutSurface& cut,
-                         const MendedPieces& pieces, const BakedObjectReport& report) {
+                         const MendedPieces& pieces, const LevelOrder& order,
+                         const BakedObjectReport& report) {
     const std::string where = "mesh \"" + report.name + "\"";
     if (pieces.empty > 0) {
         return fail(
@@ -130,7 +131,7 @@ Result<void> judgeMerged(const Components& components, const CutSurface& cut,
     for (uint32_t k = 1; k <= components.levels; ++k) {
         if (components.count[k - 1] <= before) {
             return fail(ErrorCode::separatesNothing,
-                        "all pieces that the lines of level " + std::to_string(k) +
+                        "all pieces that the lines of level " + std::to_string(order.ofDrawn(k)) +
                             " separate are too small and were joined to their neighbours; draw "
                             "larger ones or "
                             "lower minimumComponentShare in a recipe",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "interior/piece_mending.h"
+#include "levels/level_order.h"
 #include "repair/cap_holes.h"
 #include "sherd/baker/report.h"
 #include "sherd/baker/surface_mesh.h"
@@ -20,19 +21,22 @@ Result<void> judgeCaps(const SurfaceMesh& mesh, const std::vector<HoleCap>& caps
 Result<void> judgeTopology(const SurfaceMesh& mesh, const MeshTopology& topology, bool allowOpen,
                            BakedObjectReport& report);
 
-/// Refuses maps of which a level separates nothing. Fills the levels' component counts.
+/// Refuses maps of which a level separates nothing. Fills the levels' component counts. order: of
+/// the levels that lines and cuts make, for messages.
 Result<void> judgeSeparation(const Components& components, const CutSurface& cut,
-                             BakedObjectReport& report);
+                             const LevelOrder& order, BakedObjectReport& report);
 
 /// The same after pieces were merged, and refuses objects of which no piece has a volume.
 Result<void> judgeMerged(const Components& components, const CutSurface& cut,
-                         const MendedPieces& pieces, const BakedObjectReport& report);
+                         const MendedPieces& pieces, const LevelOrder& order,
+                         const BakedObjectReport& report);
 
 /// Refuses sizes at which masses and moments of inertia do not fit a float.
 Result<void> judgeSize(const SurfaceMesh& mesh, double diagonal);
 
 /// How many pieces patterns made of those asked for, and why.
-void reportCells(const std::vector<CellReport>& cells, BakedObjectReport& report);
+void reportCells(const std::vector<CellReport>& cells, const LevelOrder& order,
+                 BakedObjectReport& report);
 
 void reportCutting(const SurfaceMesh& mesh, const CutSurface& cut, const Components& components,
                    BakedObjectReport& report);

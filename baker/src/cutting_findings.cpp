@@ -93,32 +93,31 @@ std::vector<BakePlace> idleLines(const SurfaceMesh& mesh, const CutSurface& cut,
 }  // namespace
 
 Result<void> judgeSeparation(const Components& components, const CutSurface& cut,
-                             BakedObjectReport& report) {
+                             const LevelOrder& order, BakedObjectReport& report) {
     report.levels.resize(components.levels + 1);
     report.levels[0].components = report.parts = components.parts;
     uint32_t before = cut.hasCells(1) ? 1 : components.parts;
     for (uint32_t k = 1; k <= components.levels; ++k) {
         const uint32_t count = components.count[k - 1];
+        const std::string level = std::to_string(order.ofDrawn(k));
         report.levels[k].components = count;
         if (count > kMostPieces) {
             return fail(ErrorCode::limitExceeded,
-                        "the lines of level " + std::to_string(k) + " make " +
-                            std::to_string(count) + " components; a bake holds at most " +
-                            std::to_string(kMostPieces),
+                        "the lines of level " + level + " make " + std::to_string(count) +
+                            " components; a bake holds at most " + std::to_string(kMostPieces),
                         "mesh \"" + report.name + "\"");
         }
         if (count <= before) {
             if (cut.hasCells(k)) {
                 return fail(ErrorCode::separatesNothing,
-                            "the pattern of level " + std::to_string(k) +
-                                " asks for no more than " + counted(count, "piece") +
-                                ", which there " + (count == 1 ? "is" : "are") +
-                                " without it; ask for more",
+                            "the pattern of level " + level + " asks for no more than " +
+                                counted(count, "piece") + ", which there " +
+                                (count == 1 ? "is" : "are") + " without it; ask for more",
                             "mesh \"" + report.name + "\"");
             }
             return fail(ErrorCode::separatesNothing,
-                        "the lines of level " + std::to_string(k) +
-                            " separate nothing: the surface has " + counted(count, "component") +
+                        "the lines of level " + level + " separate nothing: the surface has " +
+                            counted(count, "component") +
                             " with and without them; draw lines that close around a piece, and "
                             "that meet on both sides of every chart border they cross; of a file "
                             "with several objects bake those the map is for, with --node" +
@@ -130,7 +129,8 @@ Result<void> judgeSeparation(const Components& components, const CutSurface& cut
     return {};
 }
 
-void reportCells(const std::vector<CellReport>& cells, BakedObjectReport& report) {
+void reportCells(const std::vector<CellReport>& cells, const LevelOrder& order,
+                 BakedObjectReport& report) {
     for (const CellReport& cell : cells) {
         std::string message = "the pattern " + cell.text + " made " + counted(cell.made, "piece");
         if (cell.made != cell.asked) message += ", " + std::to_string(cell.asked) + " were asked";
@@ -147,7 +147,8 @@ void reportCells(const std::vector<CellReport>& cells, BakedObjectReport& report
         if (cell.strays > 0)
             message += "; " + counted(cell.strays, "stray bit") +
                        " of cells joined the neighbour with the longest border";
-        report.findings.push_back({"pattern", message, "level " + std::to_string(cell.level), 1});
+        report.findings.push_back(
+            {"pattern", message, "level " + std::to_string(order.ofDrawn(cell.level)), 1});
     }
 }
 

@@ -60,10 +60,18 @@ class Baking(CommandCase):
         wrong = self.run_bake('bake', self.model, '-o', self.out, '--cut', 'voronoy:5')
         self.assertEqual(wrong.returncode, EXIT['BadArgument'])
         self.assertIn('voronoi:N', wrong.stderr)
-        late = self.run_bake('bake', self.model, '-o', self.out, '--cut', 'voronoi:5', '--map',
-                             self.map)
-        self.assertEqual(late.returncode, EXIT['BadArgument'])
-        self.assertIn('before', late.stderr)
+
+    def test_levels_stand_in_the_order_of_the_command_line(self):
+        counts = {}
+        for order in (('cut', 'pattern'), ('pattern', 'cut')):
+            level = {'cut': ['--cut', 'slices:1x1x3'], 'pattern': ['--pattern', 'grid:2x1']}
+            self.succeed('bake', self.model, '-o', self.out, '--interior', 'solid',
+                         '--report', self.dir / 'r.json', *level[order[0]], *level[order[1]])
+            self.assertTrue(self.succeed('check', self.out).stdout.endswith('check passed\n'))
+            report = json.loads((self.dir / 'r.json').read_text())
+            counts[order] = [level['fragments'] for level in report['objects'][0]['levels']]
+        self.assertEqual(counts[('cut', 'pattern')], [1, 3, 6])
+        self.assertEqual(counts[('pattern', 'cut')], [1, 2, 6])
 
     def test_a_drawing_cuts_straight_through_the_volume(self):
         drawing = self.write('cross.svg', b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 4 4">'

@@ -72,23 +72,33 @@ void BondStrengths::apply(const FractureSet& set, Bond& bond) const {
 }
 
 std::vector<std::optional<size_t>> levelOrigins(const std::vector<RecipeLevel>& levels,
+                                                const FracturePlan& plan, const LevelOrder& order,
+                                                std::span<const ClusterAt> clusters,
                                                 const LineTable& lines, size_t levelCount) {
+    // Clusters have no number among lines and cuts.
+    std::vector<size_t> drawn, cuts, groups, numbers;
+    for (size_t k = 0; k < levels.size(); ++k) {
+        (levels[k].cluster ? groups : levels[k].cut ? cuts : drawn).push_back(k);
+        numbers.push_back(k + 1 - groups.size());
+    }
     std::vector<std::optional<size_t>> origins(levelCount);
-    const auto cut = std::find_if(levels.begin(), levels.end(),
-                                  [](const RecipeLevel& level) { return level.cut.has_value(); });
-    const auto drawn = static_cast<size_t>(cut - levels.begin());
-    for (size_t k = 0; k < drawn; ++k) {
-        // A drawing that is the only level brings levels of its own.
-        const bool alone = levels.size() == 1;
-        const uint32_t first = alone ? 0 : lines.closedUp(static_cast<uint32_t>(k));
-        const uint32_t last = alone ? lines.levels() : lines.closedUp(static_cast<uint32_t>(k + 1));
-        for (size_t level = first + 1; level <= last && level < levelCount; ++level)
-            origins[level] = k;
+    for (uint32_t n = 0; n < order.levels().size() && levelAmong(clusters, n + 1) < levelCount;
+         ++n) {
+        const OrderedLevel& level = order.levels()[n];
+        if (level.cut != nullptr) {
+            const auto c = static_cast<size_t>(level.cut - plan.cuts.data());
+            if (c < cuts.size()) origins[levelAmong(clusters, n + 1)] = cuts[c];
+            continue;
+        }
+        // A drawing that alone has lines brings levels of its own.
+        const uint32_t asked = lines.asked(level.drawn);
+        const auto from = std::find_if(drawn.begin(), drawn.end(), [&](size_t k) {
+            return numbers[k] == asked || (drawn.size() == 1 && numbers[k] < asked);
+        });
+        if (from != drawn.end()) origins[levelAmong(clusters, n + 1)] = *from;
     }
-    for (size_t k = drawn; k < levels.size(); ++k) {
-        const size_t level = lines.levels() + 1 + k - drawn;
-        if (level < levelCount) origins[level] = k;
-    }
+    for (size_t n = 0; n < std::min(clusters.size(), groups.size()); ++n)
+        origins[clusters[n].above + n + 1] = groups[n];
     return origins;
 }
 

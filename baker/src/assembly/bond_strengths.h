@@ -3,11 +3,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "assembly/hierarchy.h"
 #include "assembly/labels.h"
 #include "assembly/line_strengths.h"
+#include "levels/cluster_level.h"
+#include "levels/level_order.h"
 #include "sherd/baker/recipe.h"
 
 namespace sherd {
@@ -42,8 +45,11 @@ class BondStrengths {
 };
 
 /// Per level of the set, from 0, the recipe's that it came from; none where lines modelled on the
-/// object made it. `lines` are those of the cut surface; levels of cuts follow theirs.
+/// object made it. plan: of these levels; `order` and `lines` of the cut surface, `clusters` among
+/// them.
 std::vector<std::optional<size_t>> levelOrigins(const std::vector<RecipeLevel>& levels,
+                                                const FracturePlan& plan, const LevelOrder& order,
+                                                std::span<const ClusterAt> clusters,
                                                 const LineTable& lines, size_t levelCount);
 
 }  // namespace sherd

@@ -142,9 +142,10 @@ Result<LayoutOverlay> inspectLines(const SurfaceMesh& mesh, const FracturePlan& 
     report.name = mesh.name;
     std::vector<CellReport> cells;
     Components components = componentsOf(*cut, cells);
-    reportCells(cells, report);
+    const LevelOrder order(plan, cut->lines);
+    reportCells(cells, order, report);
     reportCutting(apart, *cut, components, report);
-    if (const auto ok = judgeSeparation(components, *cut, report); !ok) {
+    if (const auto ok = judgeSeparation(components, *cut, order, report); !ok) {
         const bool few = ok.error().code == ErrorCode::separatesNothing;
         report.findings.push_back({few ? "separates-nothing" : "too-many-components",
                                    ok.error().message, ok.error().where, 1});

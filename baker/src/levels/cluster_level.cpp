@@ -34,7 +34,7 @@ class LevelPieces {
         std::vector<PieceName> known;
         for (const PieceName& name : names)
             if (name.level <= level_) known.push_back(name);
-        return chooseLeaves(choice, {model_.mesh, model_.surface, pieces_, model_.hidden}, known,
+        return choosePieces(choice, {model_.mesh, model_.surface, pieces_, model_.hidden}, known,
                             shownFaces());
     }
 
@@ -106,8 +106,7 @@ class Clustering {
         const bool groupsGroups = n + 1 < clusters_.size() && clusters_[n + 1].above == above;
         const std::vector<uint32_t>& finer =
             groupsGroups ? groupings_[n + 1].ofLeaf : model_.components.ofLeaf[above];
-        PieceChoice choice = cluster->only;
-        for (glm::dvec3& p : choice.near) p = toObjectFrame(model_.mesh.restPose, p);
+        const PieceChoice choice = inObjectFrame(cluster->only, model_.mesh);
         const Result<std::vector<uint8_t>> chosen =
             LevelPieces(model_, above).choose(choice, names_);
         if (!chosen) return tl::unexpected(chosen.error());

@@ -2,13 +2,51 @@
 #include "levels/leaf_cut.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "geometry/weld.h"
 #include "levels/piece_cells.h"
 #include "volume/prism_cut.h"
+#include "volume/prism_vertices.h"
 
 namespace sherd {
+namespace {
+
+/// groups: per cell; empty: each is one.
+void setLabels(std::span<const uint32_t> groups, LeafCut& leaf) {
+    if (leaf.pieces.pieces.empty()) return;
+    leaf.labels.clear();
+    for (const uint32_t cell : leaf.pieces.mainCell)
+        leaf.labels.push_back(groups.empty() ? cell : groups[cell]);
+}
+
+/// Of the leaf's corners.
+CutGridPoint middleOf(const LeafMesh& leaf, const CutGrid& grid) {
+    glm::dvec3 middle(0);
+    for (const glm::vec3& p : leaf.positions) middle += glm::dvec3(p);
+    return grid.snap(middle / static_cast<double>(std::max<size_t>(leaf.positions.size(), 1)));
+}
+
+/// What is lowest there is the cell.
+uint32_t cellAt(const CutGridPoint& at, const CellFunctions& functions) {
+    uint32_t lowest = 0;
+    for (uint32_t cell = 1; cell < functions.count(); ++cell)
+        if (functions[cell].at(at) < functions[lowest].at(at)) lowest = cell;
+    return lowest;
+}
+
+uint32_t cellAt(const PlanePoint& at, const PrismMap& map) {
+    for (uint32_t cell = 0; cell < map.cells(); ++cell) {
+        const auto sides = map.sides(cell);
+        if (std::all_of(sides.begin(), sides.end(),
+                        [&](const PrismMap::Side& side) { return map.sideOf(at, side) > 0; }))
+            return cell;
+    }
+    return 0;  // the plane is full of cells
+}
+
+}  // namespace
 
 std::vector<uint32_t> placesOf(const PieceModel& model) {
     std::vector<glm::vec3> distinct;
@@ -64,12 +102,7 @@ LeafCut cutLeaf(LeafMesh mesh, const VolumeCut& cut, uint64_t seed, const CutGri
         result.refusal = cells.error();
         return result;
     }
-    std::vector<uint32_t> groups = cells->groups;
-    std::sort(groups.begin(), groups.end());
-    result.cells =
-        groups.empty()
-            ? cells->functions.count()
-            : static_cast<uint32_t>(std::unique(groups.begin(), groups.end()) - groups.begin());
+    result.cells = cells->pieces();
     Result<MeshCut> done =
         cutMesh(result.mesh.positions, result.mesh.triangles, grid, std::move(cells->functions));
     if (!done) {
@@ -78,6 +111,25 @@ LeafCut cutLeaf(LeafMesh mesh, const VolumeCut& cut, uint64_t seed, const CutGri
     }
     result.cut = std::move(*done);
     result.pieces = assemblePieces(result.cut, {.groups = cells->groups});
+    setLabels(cells->groups, result);
+    return result;
+}
+
+LeafCut cutLeafByShared(LeafMesh mesh, const PieceCells& cells, double thinnest,
+                        const CutGrid& grid) {
+    LeafCut result;
+    result.mesh = std::move(mesh);
+    result.shared = true;
+    Result<MeshCut> done = cutMesh(result.mesh.positions, result.mesh.triangles, grid,
+                                   cells.functions, {.shared = true});
+    if (!done) {
+        result.refusal = done.error();
+        result.labels = {cells.groupOf(cellAt(middleOf(result.mesh, grid), cells.functions))};
+        return result;
+    }
+    result.cut = std::move(*done);
+    result.pieces = assemblePieces(result.cut, {.groups = cells.groups, .thinnest = thinnest});
+    setLabels(cells.groups, result);
     return result;
 }
 
@@ -95,6 +147,27 @@ LeafCut cutLeaf(LeafMesh mesh, const DrawnPrisms& prisms, const CutGrid& grid) {
     // A drawing is made for the object, not for each of its pieces: cells beside one are none of
     // its own.
     result.cells = static_cast<uint32_t>(result.pieces.pieces.size()) + result.pieces.slivers;
+    setLabels(prisms.map.faces(), result);
+    return result;
+}
+
+LeafCut cutLeafByShared(LeafMesh mesh, const DrawnPrisms& prisms, double thinnest,
+                        const CutGrid& grid) {
+    LeafCut result;
+    result.mesh = std::move(mesh);
+    result.shared = true;
+    const std::vector<uint32_t>& faces = prisms.map.faces();
+    Result<MeshCut> done = cutByPrisms(result.mesh.positions, result.mesh.triangles, grid,
+                                       prisms.map, prisms.axis, {.shared = true});
+    if (!done) {
+        result.refusal = done.error();
+        const PlanePoint at = planePoint(middleOf(result.mesh, grid), prisms.axis);
+        result.labels = {faces[cellAt(at, prisms.map)]};
+        return result;
+    }
+    result.cut = std::move(*done);
+    result.pieces = assemblePieces(result.cut, {.groups = faces, .thinnest = thinnest});
+    setLabels(faces, result);
     return result;
 }
 

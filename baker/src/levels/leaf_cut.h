@@ -38,6 +38,10 @@ struct LeafCut {
     CutPieces pieces;
     uint32_t cells = 0;            ///< that there would be pieces of, were they all filled
     std::optional<Error> refusal;  ///< it stays whole; pieces are empty
+    bool shared = false;           ///< the cells cut other leaves, too
+    /// Per piece which cell it is of: leaves of one piece before the cut, with the same label, are
+    /// one piece behind it. What is not divided has one label.
+    std::vector<uint32_t> labels{0};
 
     bool divided() const { return pieces.pieces.size() > 1; }
 };
@@ -46,5 +50,15 @@ struct LeafCut {
 LeafCut cutLeaf(LeafMesh mesh, const VolumeCut& cut, uint64_t seed, const CutGrid& grid);
 /// The same by the prisms over a drawing.
 LeafCut cutLeaf(LeafMesh mesh, const DrawnPrisms& prisms, const CutGrid& grid);
+
+struct PieceCells;
+
+/// By cells that cut other leaves, too. What is thinner than `thinnest` (metres) of a leaf becomes
+/// part of its neighbour; a leaf that cannot be cut is of the cell that its middle is in.
+LeafCut cutLeafByShared(LeafMesh mesh, const PieceCells& cells, double thinnest,
+                        const CutGrid& grid);
+/// The same by the prisms over a drawing.
+LeafCut cutLeafByShared(LeafMesh mesh, const DrawnPrisms& prisms, double thinnest,
+                        const CutGrid& grid);
 
 }  // namespace sherd

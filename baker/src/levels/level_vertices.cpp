@@ -2,12 +2,18 @@
 #include "levels/level_vertices.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <set>
 #include <utility>
 
+#include "geometry/bounds.h"
 #include "geometry/union_find.h"
 
 namespace sherd {
 namespace {
+
+/// Of the object's size.
+constexpr double kOffSkin = 1e-6;
 
 const MeshCut::CornerWeights kWholeWeights{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0),
                                            glm::dvec3(0, 0, 1)};
@@ -53,7 +59,8 @@ LevelVertices::LevelVertices(const PieceModel& model)
     : model_(model),
       firstMade_(static_cast<uint32_t>(model.hidden.positions.size())),
       skinVertices_(model.hidden.skinVertices),
-      place_(placesOf(model)) {}
+      place_(placesOf(model)),
+      offSkin_(kOffSkin * boundsOf(model.mesh.positions, model.mesh.triangles).diagonal()) {}
 
 const std::array<uint32_t, 3>& LevelVertices::cornersOf(uint32_t source) const {
     return isOuter(source) ? model_.surface.triangles[source].v
@@ -128,8 +135,13 @@ uint32_t LevelVertices::nameAt(const LeafCut& leaf, Names& names, const MeshCut:
         share = weights[static_cast<int>(placeOf(corners[a]) < placeOf(corners[b]) ? b : a)];
         findOnEdge(edge, leaf.cut.positions[t.v[k]], names.of[t.v[k]]);
     }
-    const uint32_t name = isOuter(source) ? skinName(leaf, names, t.v[k], source, weights)
-                                          : nameInside(leaf, names, t.v[k]);
+    uint32_t name = kNone;
+    if (isOuter(source))
+        name = skinName(leaf, names, t.v[k], source, weights);
+    else if (leaf.shared && across == 3)
+        name = nameInWall(leaf, names, t.v[k], source);
+    else
+        name = nameInside(leaf, names, t.v[k]);
     if (edge != kNone) edges_.add(edge, share, placeOf(name));
     return name;
 }
@@ -158,6 +170,24 @@ uint32_t LevelVertices::nameInside(const LeafCut& leaf, Names& names, uint32_t v
     std::vector<uint32_t>& known = names.of[vertex];
     if (known.empty()) known.push_back(make(leaf.cut.positions[vertex], kNone));
     return known[0];
+}
+
+/// The leaf on the other side has the same point, to the bit.
+uint32_t LevelVertices::nameInWall(const LeafCut& leaf, Names& names, uint32_t vertex,
+                                   uint32_t source) {
+    std::vector<uint32_t>& known = names.of[vertex];
+    if (!known.empty()) return known[0];
+    std::array<uint32_t, 3> wall = cornersOf(source);
+    for (uint32_t& v : wall) v = placeOf(v);
+    std::sort(wall.begin(), wall.end());
+    std::vector<uint32_t>& there = inWalls_[wall];
+    for (const uint32_t name : there) {
+        if (positionOf(name) != leaf.cut.positions[vertex]) continue;
+        known.push_back(name);
+        return name;
+    }
+    there.push_back(nameInside(leaf, names, vertex));
+    return there.back();
 }
 
 /// Two leaves may have found the same point.
@@ -207,7 +237,31 @@ uint32_t LevelVertices::skinPoint(const EdgePoints::Part& part, size_t n, uint32
     it->second = make({}, point.vertex);
     madeOf(it->second).skin = true;
     madeOf(it->second).origin = originAt(triangle, weights);
+    const glm::dvec3 a = positionOf(from), b = positionOf(to);
+    const glm::dvec3 onEdge = a + std::clamp(share, 0.0, 1.0) * (b - a);
+    if (glm::distance(onEdge, glm::dvec3(positionOf(point.vertex))) > offSkin_)
+        ontoSkin_.try_emplace(point.vertex, onEdge);
     return it->second;
+}
+
+/// Edges that share two vertices, as near to each other as cuts are rounded, need not lie on each
+/// other. All vertices in a place move, so that what is closed stays so; what a cut found on the
+/// skin is where it ought to be.
+void LevelVertices::bringOntoSkin() {
+    if (ontoSkin_.empty()) return;
+    std::set<uint32_t> taken;  // from the place by way of skinPoint
+    for (const auto& [key, name] : skinAt_) taken.insert(name);
+    for (uint32_t v = 0; v < skinVertices_; ++v) ontoSkin_.erase(place_[v]);
+    for (uint32_t n = 0; n < made_.size(); ++n)
+        if (made_[n].skin && !taken.contains(firstMade_ + n)) ontoSkin_.erase(made_[n].place);
+    for (uint32_t v = skinVertices_; v < firstMade_; ++v) {
+        const auto to = ontoSkin_.find(place_[v]);
+        if (to != ontoSkin_.end()) model_.hidden.positions[v] = to->second;
+    }
+    for (Made& made : made_) {
+        const auto to = ontoSkin_.find(made.place);
+        if (to != ontoSkin_.end()) made.position = to->second;
+    }
 }
 
 const VertexOrigin& LevelVertices::originOf(uint32_t name) const {
@@ -215,6 +269,7 @@ const VertexOrigin& LevelVertices::originOf(uint32_t name) const {
 }
 
 void LevelVertices::append(const PieceModel& model) {
+    bringOntoSkin();
     const std::vector<glm::vec3> hidden(model.hidden.positions.begin() + skinVertices_,
                                         model.hidden.positions.end());
     for (const Made& made : made_) {

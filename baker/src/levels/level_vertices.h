@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -52,7 +53,8 @@ class LevelVertices {
     uint32_t skinPoint(const EdgePoints::Part& part, size_t n, uint32_t from, uint32_t to,
                        uint32_t meshTriangle);
 
-    /// Adds them to the object's; `renamed` is what a name is called then.
+    /// Adds them to the object's; `renamed` is what a name is called then. What is on a line with
+    /// an edge of the skin but beside it goes onto that edge: the skin stays where it is.
     void append(const PieceModel& model);
     uint32_t renamed(uint32_t name) const;
 
@@ -69,11 +71,13 @@ class LevelVertices {
     void uniteSamePlaces(const std::vector<Names>& names);
     uint32_t skinName(const LeafCut& leaf, Names& names, uint32_t vertex, uint32_t source,
                       const glm::dvec3& weights);
+    uint32_t nameInWall(const LeafCut& leaf, Names& names, uint32_t vertex, uint32_t source);
     void findOnEdge(uint32_t edge, const glm::vec3& position, std::vector<uint32_t>& known) const;
     glm::vec3 positionOf(uint32_t name) const;
     bool fits(uint32_t name, uint32_t meshTriangle) const;
     const VertexOrigin& originOf(uint32_t name) const;
     uint32_t make(const glm::vec3& position, uint32_t at);
+    void bringOntoSkin();
     Made& madeOf(uint32_t name) { return made_[name - firstMade_]; }
 
     const PieceModel& model_;
@@ -82,8 +86,12 @@ class LevelVertices {
     std::vector<Made> made_;
     std::unordered_map<uint64_t, uint32_t> skinAt_;  ///< place and mesh triangle -> name; looked up
                                                      ///< only
+    /// By the places of a wall's corners: what cells that cut both sides made in it.
+    std::map<std::array<uint32_t, 3>, std::vector<uint32_t>> inWalls_;
     EdgePoints edges_;
-    std::vector<uint32_t> finalOf_;  ///< per made vertex
+    double offSkin_;                          ///< metres: what is nearer to the skin is on it
+    std::map<uint32_t, glm::vec3> ontoSkin_;  ///< per place beside it: where to go
+    std::vector<uint32_t> finalOf_;           ///< per made vertex
     uint32_t addedSkin_ = 0;
 };
 

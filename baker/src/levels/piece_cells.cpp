@@ -109,6 +109,13 @@ std::vector<glm::dvec3> glassSites(const VolumeCut& cut, uint64_t seed, const Bo
 
 }  // namespace
 
+uint32_t PieceCells::pieces() const {
+    if (groups.empty()) return functions.count();
+    std::vector<uint32_t> distinct = groups;
+    std::sort(distinct.begin(), distinct.end());
+    return static_cast<uint32_t>(std::unique(distinct.begin(), distinct.end()) - distinct.begin());
+}
+
 Result<PieceCells> pieceCells(const VolumeCut& cut, uint64_t seed,
                               std::span<const glm::vec3> positions,
                               std::span<const std::array<uint32_t, 3>> triangles,

@@ -15,6 +15,11 @@ namespace sherd {
 struct PieceCells {
     CellFunctions functions;
     std::vector<uint32_t> groups;  ///< per cell; those of one number are one piece; empty: each is
+
+    /// How many there would be, were all cells filled.
+    uint32_t pieces() const;
+    /// What piece a cell is part of.
+    uint32_t groupOf(uint32_t cell) const { return groups.empty() ? cell : groups[cell]; }
 };
 
 /// The cells that a cut makes of one piece, a closed mesh. Places of the cut are in the mesh's

@@ -22,48 +22,51 @@ class Chooser {
     Chooser(const PieceChoice& choice, const PieceModel& model, const std::vector<PieceName>& names,
             const std::vector<std::vector<uint32_t>>& faces)
         : choice_(choice), model_(model), names_(names), places_(placesOf(model)) {
-        for (const std::vector<uint32_t>& leaf : faces)
-            leaves_.push_back(leafMesh(model, places_, leaf));
-        for (const LeafMesh& leaf : leaves_) {
-            const glm::dvec3 origin = leaf.positions.empty() ? glm::vec3(0) : leaf.positions[0];
-            volumes_.push_back(signedVolume(leaf.positions, leaf.triangles, origin));
+        for (const std::vector<uint32_t>& piece : faces)
+            pieces_.push_back(leafMesh(model, places_, piece));
+        for (const LeafMesh& piece : pieces_) {
+            const glm::dvec3 origin = piece.positions.empty() ? glm::vec3(0) : piece.positions[0];
+            volumes_.push_back(signedVolume(piece.positions, piece.triangles, origin));
         }
+        someLeaf_.resize(pieces_.size());
+        for (uint32_t leaf = 0; leaf < model.components.leafCount; ++leaf)
+            someLeaf_[model.components.at(model.components.levels, leaf)] = leaf;
         whole_ = std::accumulate(volumes_.begin(), volumes_.end(), 0.0);
     }
 
     Result<std::vector<uint8_t>> run() {
-        std::vector<uint8_t> chosen(leaves_.size(), 0);
-        for (uint32_t leaf = 0; leaf < leaves_.size(); ++leaf)
-            chosen[leaf] = isLarge(leaf) && isNamed(leaf) && isNear(leaf) ? 1 : 0;
+        std::vector<uint8_t> chosen(pieces_.size(), 0);
+        for (uint32_t p = 0; p < pieces_.size(); ++p)
+            chosen[p] = isLarge(p) && isNamed(p) && isNear(p) ? 1 : 0;
         if (std::find(chosen.begin(), chosen.end(), 1) != chosen.end()) return chosen;
         return fail(ErrorCode::badArgument, "no piece is chosen: " + whatThereIs());
     }
 
   private:
-    bool isLarge(uint32_t leaf) const {
-        const double share = volumes_[leaf] / whole_;
+    bool isLarge(uint32_t piece) const {
+        const double share = volumes_[piece] / whole_;
         // A choice of up to 1 is one of all, whatever is rounded.
         return share >= choice_.larger && (share <= choice_.smaller || choice_.smaller >= 1);
     }
 
-    bool isNamed(uint32_t leaf) const {
+    bool isNamed(uint32_t piece) const {
         return choice_.name.empty() ||
                std::any_of(names_.begin(), names_.end(), [&](const PieceName& n) {
-                   return n.name == choice_.name &&
-                          model_.components.at(n.level, leaf) == n.component;
+                   return n.name == choice_.name && n.level <= model_.components.levels &&
+                          model_.components.at(n.level, someLeaf_[piece]) == n.component;
                });
     }
 
-    bool isNear(uint32_t leaf) {
+    bool isNear(uint32_t piece) {
         if (choice_.near.empty()) return true;
-        const double distance = distanceOf(leaf);
+        const double distance = distanceOf(piece);
         nearest_ = std::min(nearest_, distance);
         return distance <= choice_.within;
     }
 
     /// To the nearest of the points; 0 if one is inside.
-    double distanceOf(uint32_t leaf) const {
-        const LeafMesh& mesh = leaves_[leaf];
+    double distanceOf(uint32_t piece) const {
+        const LeafMesh& mesh = pieces_[piece];
         const InsideTest inside(mesh.positions, mesh.triangles);
         double least = std::numeric_limits<double>::max();
         for (const glm::dvec3& p : choice_.near) {
@@ -80,7 +83,7 @@ class Chooser {
 
     std::string whatThereIs() const {
         const auto [small, large] = std::minmax_element(volumes_.begin(), volumes_.end());
-        std::string text = counted(static_cast<uint32_t>(leaves_.size()), "piece") +
+        std::string text = counted(static_cast<uint32_t>(pieces_.size()), "piece") +
                            sherd::text(" of %.3g to %.3g", *small / whole_, *large / whole_) +
                            " of the object's volume";
         if (nearest_ < std::numeric_limits<double>::max())
@@ -97,19 +100,25 @@ class Chooser {
     const PieceModel& model_;
     const std::vector<PieceName>& names_;
     std::vector<uint32_t> places_;
-    std::vector<LeafMesh> leaves_;
-    std::vector<double> volumes_;  ///< cubic metres
+    std::vector<LeafMesh> pieces_;
+    std::vector<uint32_t> someLeaf_;  ///< per piece
+    std::vector<double> volumes_;     ///< cubic metres
     double whole_ = 0;
     double nearest_ = std::numeric_limits<double>::max();
 };
 
 }  // namespace
 
-Result<std::vector<uint8_t>> chooseLeaves(const PieceChoice& choice, const PieceModel& model,
+Result<std::vector<uint8_t>> choosePieces(const PieceChoice& choice, const PieceModel& model,
                                           const std::vector<PieceName>& names,
                                           const std::vector<std::vector<uint32_t>>& faces) {
     if (choice.all()) return std::vector<uint8_t>(faces.size(), 1);
     return Chooser(choice, model, names, faces).run();
+}
+
+PieceChoice inObjectFrame(PieceChoice choice, const SurfaceMesh& mesh) {
+    for (glm::dvec3& p : choice.near) p = toObjectFrame(mesh.restPose, p);
+    return choice;
 }
 
 }  // namespace sherd

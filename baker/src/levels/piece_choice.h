@@ -17,10 +17,14 @@ struct PieceName {
     std::string name;
 };
 
-/// Per leaf whether it is chosen. faces: as `facesOfLeaves` gives them; places of the choice are in
-/// the object's frame. Error badArgument: none is; it says what pieces there are.
-Result<std::vector<uint8_t>> chooseLeaves(const PieceChoice& choice, const PieceModel& model,
+/// Per piece of the deepest level that there is whether it is chosen. faces: per piece those of its
+/// leaves, as `facesOfLeaves` gives them; places of the choice are in the object's frame. Error
+/// badArgument: none is; it says what pieces there are.
+Result<std::vector<uint8_t>> choosePieces(const PieceChoice& choice, const PieceModel& model,
                                           const std::vector<PieceName>& names,
                                           const std::vector<std::vector<uint32_t>>& faces);
+
+/// A choice with its places in the object's frame, not the scene's.
+PieceChoice inObjectFrame(PieceChoice choice, const SurfaceMesh& mesh);
 
 }  // namespace sherd

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "geometry/compact_labels.h"
 #include "geometry/triangle.h"
 #include "levels/level_vertices.h"
 #include "levels/side_split.h"
@@ -24,7 +25,7 @@ class Joiner {
           alone_(cuts.size() == 1),
           level_(model.components.levels + 1) {}
 
-    uint32_t run() {
+    JoinedPieces run() {
         names_ = vertices_.nameKnown(cuts_);
         for (size_t leaf = 0; leaf < cuts_.size(); ++leaf)
             if (cuts_[leaf].divided()) vertices_.nameSkin(cuts_[leaf], names_[leaf]);
@@ -40,7 +41,8 @@ class Joiner {
         }
         findWalls();
         store();
-        return matchWalls(walls_, model_);
+        const MatchedWalls matched = matchWalls(walls_, model_);
+        return {std::move(parents_), matched.folded, matched.apart};
     }
 
   private:
@@ -91,13 +93,14 @@ class Joiner {
         walls_.push_back(std::move(wall));
     }
 
-    uint32_t beginLeaf(uint32_t parent) {
+    uint32_t beginLeaf(uint32_t parent, uint32_t label) {
         parents_.push_back(parent);
+        labels_.emplace_back(model_.components.at(level_ - 1, parent), label);
         return static_cast<uint32_t>(parents_.size()) - 1;
     }
 
     void addWhole(uint32_t leaf, const std::vector<uint32_t>& faces) {
-        const uint32_t now = beginLeaf(leaf);
+        const uint32_t now = beginLeaf(leaf, cuts_[leaf].labels[0]);
         for (const uint32_t f : faces) {
             if (f < model_.surface.triangles.size())
                 addOuter(model_.surface.triangles[f], now);
@@ -109,8 +112,9 @@ class Joiner {
 
     void addPieces(uint32_t leaf) {
         const uint32_t material = commonMaterial(leaf);
-        for (const PieceMesh& piece : cuts_[leaf].pieces.pieces) {
-            const uint32_t now = beginLeaf(leaf);
+        for (size_t p = 0; p < cuts_[leaf].pieces.pieces.size(); ++p) {
+            const PieceMesh& piece = cuts_[leaf].pieces.pieces[p];
+            const uint32_t now = beginLeaf(leaf, cuts_[leaf].labels[p]);
             for (size_t t = 0; t < piece.triangles.size(); ++t) {
                 if (piece.origins[t].cap)
                     addCap(leaf, piece, t, material, now);
@@ -263,10 +267,8 @@ class Joiner {
             for (const uint32_t parent : parents_) now.push_back(ofLeaf[parent]);
             ofLeaf = std::move(now);
         }
-        std::vector<uint32_t>& own = components.ofLeaf.emplace_back();
-        for (uint32_t leaf = 0; leaf < parents_.size(); ++leaf) own.push_back(leaf);
+        components.ofLeaf.push_back(compactLabels(labels_, components.count.emplace_back()));
         components.leafCount = static_cast<uint32_t>(parents_.size());
-        components.count.push_back(components.leafCount);
         components.levels = level_;
     }
 
@@ -276,7 +278,8 @@ class Joiner {
     std::vector<LevelVertices::Names> names_;
     bool alone_;
     uint32_t level_;
-    std::vector<uint32_t> parents_;  ///< per new leaf
+    std::vector<uint32_t> parents_;                      ///< per new leaf
+    std::vector<std::pair<uint32_t, uint32_t>> labels_;  ///< likewise: component before, cell
     std::vector<SplitTriangle> outer_;
     std::vector<uint32_t> outerLeaf_;
     std::vector<HiddenMesh::Face> hidden_;
@@ -287,7 +290,7 @@ class Joiner {
 
 }  // namespace
 
-uint32_t joinPieces(const std::vector<LeafCut>& cuts, const PieceModel& model) {
+JoinedPieces joinPieces(const std::vector<LeafCut>& cuts, const PieceModel& model) {
     return Joiner(cuts, model).run();
 }
 

@@ -9,10 +9,16 @@
 
 namespace sherd {
 
-/// cuts: per leaf; those that are not divided stay as they are. Every piece becomes a leaf and a
-/// component of a new, deepest level, which shows the caps. Where a leaf is cut, the edges it
-/// shares with others are split in those, too. Walls between pieces are cut on both sides alike;
-/// returns how many of their triangles could not.
-uint32_t joinPieces(const std::vector<LeafCut>& cuts, const PieceModel& model);
+struct JoinedPieces {
+    std::vector<uint32_t> parents;  ///< per leaf as they are now: which it was part of
+    uint32_t folded = 0;  ///< triangles of walls that could not be cut on both sides alike
+    uint32_t apart = 0;   ///< of which that was no help either
+};
+
+/// cuts: per leaf; those that are not divided stay as they are. Every piece becomes a leaf, and a
+/// component of a new, deepest level, which shows the caps; pieces of one component with one label
+/// are one. Where a leaf is cut, the edges it shares with others are split in those, too. Walls
+/// between pieces are cut on both sides alike.
+JoinedPieces joinPieces(const std::vector<LeafCut>& cuts, const PieceModel& model);
 
 }  // namespace sherd

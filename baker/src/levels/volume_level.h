@@ -10,11 +10,13 @@
 
 namespace sherd {
 
-/// Divides the leaves that the cut chooses and adds a level for what they became; others stand for
-/// themselves, those that cannot be divided with a finding. The result does not depend on the
-/// number of threads. Errors: separatesNothing, limitExceeded, notClosed, badArgument (nothing is
-/// chosen), and why the first piece cannot be cut if none can.
-Result<void> cutLevel(const VolumeCut& cut, unsigned threads, const std::vector<PieceName>& names,
-                      const PieceModel& model, BakedObjectReport& report);
+/// Divides the pieces that the cut chooses and adds a level for what they became; others stand for
+/// themselves, those that cannot be divided with a finding. Returns per leaf as they are now which
+/// it was part of; the result does not depend on the number of threads. Errors: separatesNothing,
+/// limitExceeded, notClosed, badArgument (nothing is chosen), and why the first piece cannot be cut
+/// if none can.
+Result<std::vector<uint32_t>> cutLevel(const VolumeCut& cut, unsigned threads,
+                                       const std::vector<PieceName>& names, const PieceModel& model,
+                                       BakedObjectReport& report);
 
 }  // namespace sherd

@@ -19,9 +19,14 @@ struct WallPair {
     std::array<std::vector<uint32_t>, 2> faces;             ///< hidden faces that its parts are now
 };
 
+struct MatchedWalls {
+    uint32_t folded = 0;  ///< by way of `foldWall`
+    uint32_t apart = 0;   ///< whose two sides still have other triangles
+};
+
 /// Gives both sides of every wall the same triangles, by both cuts at once; caps that meet the wall
 /// get the points that it gains. A wall whose parts are too small for the grid they are decided on
-/// stays as it is, each side its own. Returns how many did.
-uint32_t matchWalls(const std::vector<WallPair>& pairs, const PieceModel& model);
+/// is folded.
+MatchedWalls matchWalls(const std::vector<WallPair>& pairs, const PieceModel& model);
 
 }  // namespace sherd

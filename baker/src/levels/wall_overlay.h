@@ -33,7 +33,7 @@ struct WallOverlay {
         std::array<uint32_t, 2> of;  ///< of each cut the triangle that holds it
     };
     std::vector<OnEdge> crossings;  ///< per point beyond the input's: one of the edges it is on
-    std::vector<OnEdge> onEdges;    ///< all that lies within edges
+    std::vector<OnEdge> onEdges;    ///< all that lies within edges, in order from a to b
     std::vector<Part> parts;
 };
 

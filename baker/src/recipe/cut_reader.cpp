@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "recipe/cut_reader.h"
 
-#include <algorithm>
-#include <cmath>
+#include "recipe/choice_reader.h"
 
 namespace sherd {
 namespace {
@@ -10,31 +9,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kFarthest = 1e9;  // metres
-
-bool isPlace(const Json& json) {
-    return json.is_array() && json.size() == 3 &&
-           std::all_of(json.begin(), json.end(), [](const Json& x) {
-               return x.is_number() && std::abs(x.get<double>()) <= kFarthest;
-           });
-}
-
-/// [x, y, z], or a list of such.
-bool readPlaces(RecipeReader& reader, const Json& json, const std::string& pointer,
-                std::vector<glm::dvec3>& places) {
-    const auto add = [&](const Json& j) {
-        places.emplace_back(j[0].get<double>(), j[1].get<double>(), j[2].get<double>());
-    };
-    if (isPlace(json)) {
-        add(json);
-        return true;
-    }
-    if (!json.is_array() || json.empty() || !std::all_of(json.begin(), json.end(), isPlace))
-        return reader.wrong(pointer,
-                            "must be a point [x, y, z] in metres, or a list of such points, with "
-                            "numbers from -1e+09 to 1e+09");
-    for (const Json& place : json) add(place);
-    return true;
-}
 
 bool readDrawn(RecipeReader& reader, const Json& json, const std::string& pointer, VolumeCut& cut) {
     std::string map, axis;

@@ -3,9 +3,24 @@
 
 #include <algorithm>
 
+#include "recipe/choice_reader.h"
 #include "recipe/cut_reader.h"
 
 namespace sherd {
+namespace {
+
+/// What a level says beside its text, which may say it, too.
+bool takeChoice(RecipeReader& reader, const std::string& pointer, const std::string& what,
+                const RecipeLevel& level, PieceChoice& only) {
+    if (level.only.all()) return true;
+    if (!only.all())
+        return reader.wrong(pointer + "/only",
+                            "chooses pieces, and so does the " + what + "'s text; say it once");
+    only = level.only;
+    return true;
+}
+
+}  // namespace
 
 bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::string& pointer,
                 Recipe& recipe) {
@@ -25,6 +40,10 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
                  {"projection", reader.string(projection)},
                  {"strength", reader.number(level.strength, 0, 1e15)},
                  {"toughness", reader.number(level.toughness, 0, 1e15)},
+                 {"only",
+                  [&](const nlohmann::json& j, const std::string& p) {
+                      return readChoice(reader, j, p, level.only);
+                  }},
                  {"name", reader.string(level.name)}}))
             return false;
         if ((map.empty() ? 0 : 1) + (pattern.empty() ? 0 : 1) + (level.cut ? 1 : 0) +
@@ -35,27 +54,26 @@ bool readLevels(RecipeReader& reader, const nlohmann::json& json, const std::str
                 "needs one of a \"map\", the path of a drawing (SVG, JSON, PNG, "
                 "JPEG), a \"pattern\" like \"voronoi:12\", a \"cut\" through the "
                 "volume like \"voronoi:12\", and a \"cluster\" of finer pieces like \"8\"");
-        if (!level.cut && cluster.empty() &&
-            std::any_of(recipe.levels.begin(), recipe.levels.end(),
-                        [](const RecipeLevel& before) { return before.cut.has_value(); }))
-            return reader.wrong(here, "comes too late: levels of lines come before those of cuts");
         level.map = map;
         if (!pattern.empty()) {
             Result<Pattern> parsed = parsePattern(pattern);
             if (!parsed) return reader.wrong(here + "/pattern", ": " + parsed.error().message);
             level.pattern = std::move(*parsed);
         }
+        if (level.cut && !takeChoice(reader, here, "cut", level, level.cut->only)) return false;
         if (!cluster.empty()) {
             Result<Cluster> parsed = parseCluster(cluster);
             if (!parsed) return reader.wrong(here + "/cluster", ": " + parsed.error().message);
             level.cluster = std::move(*parsed);
             level.cluster->where = reader.place(here + "/cluster");
+            if (!takeChoice(reader, here, "cluster", level, level.cluster->only)) return false;
         }
         if (!projection.empty()) {
             const Result<Projection> parsed = parseProjection(projection);
             if (!parsed) return reader.wrong(here + "/projection", ": " + parsed.error().message);
             level.projection = *parsed;
         }
+        level.where = reader.place(here);
         recipe.levels.push_back(level);
     }
     if (endsInCluster(recipe.levels)) {

@@ -30,6 +30,8 @@ class LineTable {
     uint32_t level(uint32_t mark) const { return lines_[mark - 1].level; }
     /// What became of a level as it was asked for: how many levels up to it have lines.
     uint32_t closedUp(uint32_t asked) const;
+    /// The level that was asked for where now is `level`, 1 to levels().
+    uint32_t asked(uint32_t level) const { return asked_[level - 1]; }
     uint32_t size() const { return static_cast<uint32_t>(lines_.size()); }
     uint32_t levels() const { return lines_.empty() ? 0 : lines_.back().level; }
 

@@ -223,7 +223,7 @@ class LevelGrouping {
 
 Components findPieces(const SplitSurface& surface, const MeshTopology& topology,
                       const LineTable& lines, uint32_t levels, const PartGroups& groups,
-                      std::span<const CellLevel> cells, const PieceOptions& options,
+                      std::span<const CellLevel> cells, const PatchOptions& options,
                       std::vector<CellReport>& reports) {
     Components base = floodFill(surface, topology, lines, levels);
     if (cells.empty() || levels == 0) return base;

@@ -47,14 +47,14 @@ struct CellReport {
     std::string text;
 };
 
-struct PieceOptions {
+struct PatchOptions {
     bool splitPatches = false;  ///< every patch is a piece of its own, whatever its cell
 };
 
 /// The components of every level, with patches of one cell put together.
 Components findPieces(const SplitSurface& surface, const MeshTopology& topology,
                       const LineTable& lines, uint32_t levels, const PartGroups& groups,
-                      std::span<const CellLevel> cells, const PieceOptions& options,
+                      std::span<const CellLevel> cells, const PatchOptions& options,
                       std::vector<CellReport>& reports);
 
 }  // namespace sherd

@@ -15,6 +15,9 @@ class CapSpace {
     static constexpr uint32_t kNone = KeyTable::kNone;
 
     virtual ~CapSpace() = default;
+    /// Whether what is made of a triangle must not depend on the side it is seen from; see
+    /// MeshCutOptions.
+    virtual bool shared() const = 0;
     virtual uint32_t count() const = 0;
     /// In grid steps, off by less than 2^-23 of one.
     virtual const glm::dvec3& gridPosition(uint32_t vertex) const = 0;

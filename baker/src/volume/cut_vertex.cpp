@@ -84,11 +84,17 @@ uint32_t CutVertices::inTriangle(uint32_t t, uint32_t i, uint32_t j, uint32_t k)
     const glm::dvec3 w(static_cast<double>(exact[0]) / sum, static_cast<double>(exact[1]) / sum,
                        static_cast<double>(exact[2]) / sum);
     const auto& v = input_.triangles[t];
-    const auto between = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-        return w.x * a + w.y * b + w.z * c;
+    // Sums depend on their order: from both sides of a triangle it is that of the vertices.
+    std::array<size_t, 3> in{0, 1, 2};
+    if (input_.shared)
+        std::sort(in.begin(), in.end(), [&](size_t a, size_t b) { return v[a] < v[b]; });
+    const auto between = [&](const auto& at) {
+        const auto part = [&](size_t n) {
+            return w[static_cast<int>(in[n])] * glm::dvec3(at[v[in[n]]]);
+        };
+        return part(0) + part(1) + part(2);
     };
-    return add(Kind::triangle, key, w, between(grid_[v[0]], grid_[v[1]], grid_[v[2]]),
-               between(input_.positions[v[0]], input_.positions[v[1]], input_.positions[v[2]]));
+    return add(Kind::triangle, key, w, between(grid_), between(input_.positions));
 }
 
 uint32_t CutVertices::atCells(const std::array<uint32_t, 4>& cells, const glm::dvec3& position) {

@@ -26,6 +26,8 @@ struct CutInput {
     std::span<const std::array<uint32_t, 3>> triangles;
     std::vector<CutGridPoint> points;  ///< the positions on the grid
     const CellFunctions& functions;
+    bool shared = false;  ///< see MeshCutOptions: what is made in a triangle does not depend on
+                          ///< the side it is seen from
 
     /// f_i - f_j at the corners of a triangle.
     CornerValues cornerValues(uint32_t triangle, uint32_t i, uint32_t j) const;
@@ -51,6 +53,7 @@ class CutVertices final : public CapSpace {
     /// Nothing (kNone) where the planes of s, t and i|j have no common point.
     uint32_t atCrossing(uint32_t s, uint32_t t, uint32_t i, uint32_t j) override;
 
+    bool shared() const override { return input_.shared; }
     uint32_t count() const override { return static_cast<uint32_t>(grid_.size()); }
     uint32_t meshCount() const { return meshCount_; }
     /// In grid steps, off by less than 2^-23 of one.

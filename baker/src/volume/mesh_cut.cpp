@@ -188,16 +188,17 @@ class Cutting {
 }  // namespace
 
 Result<MeshCut> cutMesh(std::span<const glm::vec3> positions, std::span<const Triangle> triangles,
-                        const CutGrid& grid, CellFunctions cells) {
+                        const CutGrid& grid, CellFunctions cells, const MeshCutOptions& options) {
     if (auto ok = checkCuttable(positions, triangles); !ok) return tl::unexpected(ok.error());
-    CutInput input{grid, positions, triangles, {}, cells};
-    input.points = snapped(grid, positions, triangles);
+    const CutInput input{grid,  positions,     triangles, snapped(grid, positions, triangles),
+                         cells, options.shared};
     MovedPlanes planes;
     MeshCut::Report report;
     // Moved planes may come to lie in other faces: a few rounds, then ties have to do.
     for (int round = 0;; ++round) {
         Cutting cutting(input);
-        planes = movePlanes(cells, cutting.cutSkin(), grid.extent() / grid.step());
+        const std::vector<CoplanarFace>& coplanar = cutting.cutSkin();
+        if (!options.shared) planes = movePlanes(cells, coplanar, grid.extent() / grid.step());
         if (planes.moved == 0 || round == kMostRounds) {
             Result<MeshCut> cut = cutting.run();
             if (!cut) return cut;
@@ -212,6 +213,26 @@ Result<MeshCut> cutMesh(std::span<const glm::vec3> positions, std::span<const Tr
         if (!moved) return tl::unexpected(moved.error());
         cells = std::move(*moved);
     }
+}
+
+Result<SettledCells> settleCells(std::span<const glm::vec3> positions,
+                                 std::span<const Triangle> triangles, const CutGrid& grid,
+                                 CellFunctions cells) {
+    if (triangles.empty()) return fail(ErrorCode::noTriangles, "there is nothing to cut");
+    const CutInput input{grid, positions, triangles, snapped(grid, positions, triangles), cells};
+    SettledCells result;
+    for (int round = 0; round < kMostRounds; ++round) {
+        Cutting cutting(input);
+        MovedPlanes planes = movePlanes(cells, cutting.cutSkin(), grid.extent() / grid.step());
+        if (planes.moved == 0) break;
+        result.moved += planes.moved;
+        result.opposed += planes.opposed;
+        Result<CellFunctions> moved = CellFunctions::of(std::move(planes.families));
+        if (!moved) return tl::unexpected(moved.error());
+        cells = std::move(*moved);
+    }
+    result.functions = std::move(cells);
+    return result;
 }
 
 }  // namespace sherd

@@ -67,11 +67,29 @@ struct MeshCut {
     }
 };
 
+struct MeshCutOptions {
+    /// The cells cut other meshes, too, of which some have triangles of this one from their other
+    /// side, the same vertices ascending alike. Planes stay where they are (see `settleCells`), and
+    /// such triangles are cut into the same parts, to the bit.
+    bool shared = false;
+};
+
 /// positions, triangles: closed over vertex ids (every edge used as often in either direction),
 /// facing outwards; it may touch, overlap or cross itself. grid: around it. Errors: noTriangles,
 /// invalidData, openMesh, internal.
 Result<MeshCut> cutMesh(std::span<const glm::vec3> positions,
                         std::span<const std::array<uint32_t, 3>> triangles, const CutGrid& grid,
-                        CellFunctions cells);
+                        CellFunctions cells, const MeshCutOptions& options = {});
+
+/// Cells with their planes moved off the faces of a mesh that lie in them, as `cutMesh` does unless
+/// the cells are shared.
+struct SettledCells {
+    CellFunctions functions;
+    uint32_t moved = 0;    ///< planes
+    uint32_t opposed = 0;  ///< of these, with faces that wanted it otherwise
+};
+Result<SettledCells> settleCells(std::span<const glm::vec3> positions,
+                                 std::span<const std::array<uint32_t, 3>> triangles,
+                                 const CutGrid& grid, CellFunctions cells);
 
 }  // namespace sherd

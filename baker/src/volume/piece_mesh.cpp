@@ -23,7 +23,8 @@ constexpr uint32_t kNone = CutPieces::kNone;
 class Assembly {
   public:
     Assembly(MeshCut& cut, const PieceOptions& options)
-        : cut_(cut), options_(options), groups_(cut.cells()) {
+        : cut_(cut), options_(options), groups_(cut.cells()), main_(cut.cells()) {
+        std::iota(main_.begin(), main_.end(), 0U);
         std::map<uint32_t, uint32_t> first;
         for (uint32_t cell = 0; cell < options.groups.size() && cell < cut.cells(); ++cell)
             groups_.unite(cell, first.try_emplace(options.groups[cell], cell).first->second);
@@ -42,6 +43,7 @@ class Assembly {
             if (built_[p].mesh.triangles.empty()) continue;
             for (const uint32_t cell : cells_[p])
                 result.pieceOfCell[cell] = static_cast<uint32_t>(result.pieces.size());
+            result.mainCell.push_back(main_[groups_.find(cells_[p][0])]);
             result.pieces.push_back(std::move(built_[p].mesh));
         }
         return result;
@@ -86,10 +88,13 @@ class Assembly {
     bool mergeSlivers() {
         double whole = 0;
         for (const BuiltPiece& piece : built_) whole += piece.mesh.volume;
-        const auto isSliver = [&](uint32_t p) {
-            return !built_[p].mesh.triangles.empty() &&
-                   !(built_[p].mesh.volume > options_.smallestShare * whole);
-        };
+        std::vector<uint8_t> slivers;
+        for (const BuiltPiece& piece : built_) {
+            const PieceMesh& mesh = piece.mesh;
+            const bool isSmall = !(mesh.volume > options_.smallestShare * whole) || isFilm(mesh);
+            slivers.push_back(isSmall && !mesh.triangles.empty() ? 1 : 0);
+        }
+        const auto isSliver = [&](uint32_t p) { return slivers[p] != 0; };
         std::vector<std::map<uint32_t, double>> shared(built_.size());  // area by neighbour
         for (const MeshCut::Cap& cap : cut_.caps) {
             const uint32_t a = pieceOf_[cap.low], b = pieceOf_[cap.high];
@@ -107,7 +112,10 @@ class Assembly {
             const uint32_t joined = most == shared[p].end() ? largestPiece() : most->first;
             const uint32_t own = cells_[p][0], other = cells_[joined][0];
             if (groups_.find(own) == groups_.find(other)) continue;  // merged with each other
+            const bool isMore = built_[p].mesh.volume > built_[joined].mesh.volume;
+            const uint32_t main = main_[groups_.find(isMore ? own : other)];
             groups_.unite(own, other);
+            main_[groups_.find(own)] = main;
             ++slivers_;
             any = true;
         }
@@ -122,14 +130,24 @@ class Assembly {
         return static_cast<uint32_t>(most - built_.begin());
     }
 
+    bool isFilm(const PieceMesh& mesh) const {
+        if (options_.thinnest <= 0) return false;
+        double area = 0;
+        for (const auto& t : mesh.triangles)
+            area += areaOf(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+        return mesh.volume <= options_.thinnest * 0.5 * area;
+    }
+
     double areaOf(const MeshCut::Cap& cap) const {
-        double twice = 0;
-        for (const CapTriangle& t : cut_.trianglesOf(cap)) {
-            const glm::dvec3 a = cut_.positions[t.v[0]];
-            twice += glm::length(glm::cross(glm::dvec3(cut_.positions[t.v[1]]) - a,
-                                            glm::dvec3(cut_.positions[t.v[2]]) - a));
-        }
-        return 0.5 * twice;
+        double area = 0;
+        for (const CapTriangle& t : cut_.trianglesOf(cap)) area += areaOf(t.v[0], t.v[1], t.v[2]);
+        return area;
+    }
+
+    double areaOf(uint32_t u, uint32_t v, uint32_t w) const {
+        const glm::dvec3 a = cut_.positions[u];
+        return 0.5 * glm::length(glm::cross(glm::dvec3(cut_.positions[v]) - a,
+                                            glm::dvec3(cut_.positions[w]) - a));
     }
 
     bool halveClashes() {
@@ -144,6 +162,8 @@ class Assembly {
     MeshCut& cut_;
     const PieceOptions& options_;
     UnionFind groups_;
+    std::vector<uint32_t> main_;                ///< per representative of a group: the cell that
+                                                ///< holds most of it
     std::vector<std::vector<uint32_t>> cells_;  ///< per piece
     std::vector<uint32_t> pieceOf_;             ///< per cell
     std::vector<BuiltPiece> built_;

@@ -35,12 +35,16 @@ struct PieceOptions {
     /// most area with, the largest if it touches none: planes that all but meet leave slivers that
     /// no float can hold. 0 to 1.
     double smallestShare = 1e-9;
+    /// Likewise one that is thinner than this: of less volume than a film so thick over half of its
+    /// surface. In the positions' unit; 0: none is.
+    double thinnest = 0;
 };
 
 struct CutPieces {
     static constexpr uint32_t kNone = 0xFFFFFFFFU;
     std::vector<PieceMesh> pieces;      ///< none empty; by their first cell
     std::vector<uint32_t> pieceOfCell;  ///< kNone: nothing of the mesh is in it
+    std::vector<uint32_t> mainCell;     ///< per piece: the cell that holds most of it, of several
     uint32_t slivers = 0;               ///< pieces that became part of another
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <tuple>
 
 namespace sherd {
 namespace {
@@ -14,24 +15,39 @@ double shapeOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return longest > 0 ? glm::length(glm::cross(ab, ac)) / longest : 0;
 }
 
+bool isBefore(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+/// The same to the bit, whichever way round the triangle is seen.
+double shapeFromBothSides(std::array<glm::dvec3, 3> corners) {
+    std::sort(corners.begin(), corners.end(), isBefore);
+    return shapeOf(corners[0], corners[1], corners[2]);
+}
+
 }  // namespace
 
 std::span<const std::array<uint32_t, 3>> PolygonFan::run(std::span<const uint32_t> corners,
                                                          const CapSpace& vertices) {
     triangles_.clear();
+    const bool shared = vertices.shared();
     left_.assign(corners.begin(), corners.end());
     for (size_t n = left_.size(); n > 3; n = left_.size()) {
         const auto corner = [&](size_t k) { return left_[k % n]; };
+        const auto at = [&](size_t k) -> const glm::dvec3& {
+            return vertices.gridPosition(corner(k));
+        };
         const auto shape = [&](size_t k) {
-            return shapeOf(vertices.gridPosition(corner(k)), vertices.gridPosition(corner(k + 1)),
-                           vertices.gridPosition(corner(k + 2)));
+            return shared ? shapeFromBothSides({at(k), at(k + 1), at(k + 2)})
+                          : shapeOf(at(k), at(k + 1), at(k + 2));
         };
         size_t best = 0;
         double bestShape = -1;
         for (size_t k = 0; k < n; ++k) {
             // Of a quadrilateral both parts count.
             const double s = n == 4 ? std::min(shape(k), shape(k + 2)) : shape(k);
-            if (s <= bestShape) continue;
+            const bool tie = shared && s == bestShape && isBefore(at(k + 1), at(best + 1));
+            if (s <= bestShape && !tie) continue;
             best = k;
             bestShape = s;
         }

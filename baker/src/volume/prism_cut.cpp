@@ -157,10 +157,10 @@ class PrismCutting {
 
 Result<MeshCut> cutByPrisms(std::span<const glm::vec3> positions,
                             std::span<const Triangle> triangles, const CutGrid& grid,
-                            const PrismMap& map, uint32_t axis) {
+                            const PrismMap& map, uint32_t axis, const MeshCutOptions& options) {
     if (auto ok = checkCuttable(positions, triangles); !ok) return tl::unexpected(ok.error());
-    PrismInput input{grid, map, axis, positions, triangles};
-    input.points = snapped(grid, positions, triangles);
+    const PrismInput input{
+        grid, map, axis, positions, triangles, snapped(grid, positions, triangles), options.shared};
     return PrismCutting(input).run();
 }
 

@@ -21,6 +21,6 @@ namespace sherd {
 /// piece: see `PrismMap::faces`. Errors: noTriangles, invalidData, openMesh, internal.
 Result<MeshCut> cutByPrisms(std::span<const glm::vec3> positions,
                             std::span<const std::array<uint32_t, 3>> triangles, const CutGrid& grid,
-                            const PrismMap& map, uint32_t axis);
+                            const PrismMap& map, uint32_t axis, const MeshCutOptions& options = {});
 
 }  // namespace sherd

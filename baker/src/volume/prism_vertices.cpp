@@ -66,8 +66,12 @@ uint32_t PrismVertices::atNode(uint32_t triangle, uint32_t node) {
     const auto sum = static_cast<double>(exact[0] + exact[1] + exact[2]);
     const auto& t = input_.triangles[triangle];
     glm::dvec3 weights, grid(0), world(0);
-    for (int k = 0; k < 3; ++k) {
-        const auto corner = static_cast<size_t>(k);
+    // Sums depend on their order: from both sides of a triangle it is that of the vertices.
+    std::array<size_t, 3> in{0, 1, 2};
+    if (input_.shared)
+        std::sort(in.begin(), in.end(), [&](size_t a, size_t b) { return t[a] < t[b]; });
+    for (const size_t corner : in) {
+        const auto k = static_cast<int>(corner);
         weights[k] = static_cast<double>(exact[corner]) / sum;
         grid += weights[k] * grid_[t[corner]];
         world += weights[k] * glm::dvec3(input_.positions[t[corner]]);

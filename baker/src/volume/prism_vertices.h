@@ -15,6 +15,13 @@
 
 namespace sherd {
 
+/// As it is seen along an axis.
+inline PlanePoint planePoint(const CutGridPoint& p, uint32_t axis) {
+    return axis == 0   ? PlanePoint{p.y, p.z}
+           : axis == 1 ? PlanePoint{p.z, p.x}
+                       : PlanePoint{p.x, p.y};
+}
+
 /// A mesh and the drawing that is projected straight through it.
 struct PrismInput {
     const CutGrid& grid;
@@ -23,13 +30,9 @@ struct PrismInput {
     std::span<const glm::vec3> positions;
     std::span<const std::array<uint32_t, 3>> triangles;
     std::vector<CutGridPoint> points = {};  ///< the positions on the grid
+    bool shared = false;                    ///< see MeshCutOptions
 
-    PlanePoint planar(uint32_t vertex) const {
-        const CutGridPoint& p = points[vertex];
-        return axis == 0   ? PlanePoint{p.y, p.z}
-               : axis == 1 ? PlanePoint{p.z, p.x}
-                           : PlanePoint{p.x, p.y};
-    }
+    PlanePoint planar(uint32_t vertex) const { return planePoint(points[vertex], axis); }
     int64_t depth(uint32_t vertex) const {
         const CutGridPoint& p = points[vertex];
         return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
@@ -56,6 +59,7 @@ class PrismVertices final : public CapSpace {
         wall_ = line;
         turned_ = turned;
     }
+    bool shared() const override { return input_.shared; }
     uint32_t count() const override { return static_cast<uint32_t>(grid_.size()); }
     const glm::dvec3& gridPosition(uint32_t vertex) const override { return grid_[vertex]; }
     ExactPlace exactPlace(uint32_t vertex) const override;

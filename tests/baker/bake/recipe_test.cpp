@@ -81,8 +81,22 @@ TEST_CASE("a bad recipe is refused with the pointer of the culprit and what woul
     const Error noCut = errorOf(R"({"levels": [{"map": "a.svg"}, {"cut": "voronoy:5"}]})");
     CHECK(noCut.where == "r.json#/levels/1/cut");
     CHECK(noCut.message.find("voronoi:N") != std::string::npos);
-    CHECK(errorOf(R"({"levels": [{"cut": "voronoi:5"}, {"map": "a.svg"}]})").where ==
-          "r.json#/levels/1");
+    const auto whereOnly = [](const std::string& level) {
+        return errorOf(R"({"levels": [{"cut": "voronoi:2"}, )" + level + "]}").where;
+    };
+    CHECK(whereOnly(R"({"map": "a.svg", "only": {}})") == "r.json#/levels/1/only");
+    CHECK(whereOnly(R"({"map": "a.svg", "only": {"biggest": 1}})") ==
+          "r.json#/levels/1/only/biggest");
+    CHECK(whereOnly(R"({"pattern": "grid:2x2", "only": {"larger": 2}})") ==
+          "r.json#/levels/1/only/larger");
+    CHECK(whereOnly(R"({"map": "a.svg", "only": {"near": [1, 2]}})") ==
+          "r.json#/levels/1/only/near");
+    CHECK(whereOnly(R"({"map": "a.svg", "only": {"larger": 0.1, "within": 1}})") ==
+          "r.json#/levels/1/only/within");
+    CHECK(whereOnly(R"({"cut": "voronoi:3:larger=0.1", "only": {"larger": 0.2}})") ==
+          "r.json#/levels/1/only");
+    CHECK(whereOnly(R"({"cluster": "3:larger=0.1", "only": {"larger": 0.2}},
+                       {"cut": "voronoi:3"})") == "r.json#/levels/1/only");
     CHECK(errorOf(R"({"interior": {"type": "jelly"}})").where == "r.json#/interior/type");
     CHECK(errorOf(R"({"interior": {"materials": {"paint": 1}}})").where ==
           "r.json#/interior/materials/paint");

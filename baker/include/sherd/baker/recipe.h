@@ -135,6 +135,8 @@ struct RecipeLevel {
     // Of bonds between pieces that part at this level. Lines and labels of drawings win.
     std::optional<double> strength;   ///< Pa
     std::optional<double> toughness;  ///< J/m^2
+    PieceChoice only;   ///< pieces of the level before that it divides; a cut has the same
+    std::string where;  ///< its pointer in the recipe, for messages; may be empty
 };
 
 /// Everything a bake can be told. Defaults are the command line's.
