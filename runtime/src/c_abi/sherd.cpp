@@ -163,7 +163,7 @@ sherd_status sherd_load(const void* bytes, size_t size, sherd_asset** assets, ui
                                                                    : SHERD_MALFORMED;
         }
         *count = uint32_t(loaded->size());
-        if (loaded->size() > capacity) {
+        if (!assets || loaded->size() > capacity) {
             say(error, "the file holds more objects than the array", "capacity");
             return SHERD_TOO_SMALL;
         }
