@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,9 @@ class DrawnClasses {
     struct Gate {
         uint32_t a, b;  ///< leaves, a < b
         uint32_t level;
-        friend auto operator<=>(const Gate&, const Gate&) = default;
+        bool operator<(const Gate& o) const {
+            return std::tie(a, b, level) < std::tie(o.a, o.b, o.level);
+        }
     };
     std::vector<uint32_t> openGates(std::vector<uint32_t> labels,
                                     const std::set<uint32_t>* levels) const;
