@@ -3,7 +3,7 @@
 #include "fuzzed_promise.h"
 #include "glb_mutation.h"
 #include "sherd/formats/validate.h"
-#include "sherd/runtime/asset.h"
+#include "sherd/runtime/island_world.h"
 
 namespace {
 
@@ -12,6 +12,39 @@ using fuzz::require;
 
 bool within(Range range, size_t count) {
     return size_t{range.first} + range.count <= count;
+}
+
+/// An engine in which nothing moves.
+class StillBodies final : public BodyTable {
+  public:
+    void create(const IslandBody& body) override { take(body); }
+    void update(const IslandBody& body) override { take(body); }
+    void remove(uint32_t) override {}
+    [[nodiscard]] BodyMotion motion(uint32_t island) const override { return motions_[island]; }
+
+  private:
+    void take(const IslandBody& body) {
+        if (motions_.size() <= body.island) motions_.resize(body.island + 1);
+        motions_[body.island] = body.motion;
+        require(body.mass >= 0 && std::isfinite(body.mass), "a body has a mass");
+    }
+    std::vector<BodyMotion> motions_;
+};
+
+void breakUp(const std::shared_ptr<const Asset>& asset) {
+    StillBodies bodies;
+    IslandWorld world(bodies);
+    const ObjectId object = world.spawn(asset, {}, {}, true, {});
+    ReportedHit hit;
+    hit.energy = 10;
+    hit.speed = 10;
+    hit.impulse = 10;
+    const float consumed = world.takeHit(0, 0, hit);
+    require(consumed >= 0 && consumed <= hit.energy * 1.001F, "a hit takes what it brought");
+    world.workOnStress({0, -10, 0}, 8);
+    world.breakAll(object.index);
+    require(world.poses().size() <= asset->fragmentCount(), "no fragment is drawn twice");
+    world.remove(object.index);
 }
 
 void walk(const Asset& asset) {
@@ -50,7 +83,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         return 0;
     }
     require(!assets->empty(), "a file that was read has an object");
-    for (const auto& asset : *assets) walk(*asset);
+    for (const auto& asset : *assets) {
+        walk(*asset);
+        breakUp(asset);
+    }
     CheckOptions options;
     options.coverage = false;
     (void)checkFractureSets(glb, options);

@@ -63,6 +63,16 @@ TEST_CASE("numbers that are not finite or not positive are refused, and the plac
     errorAfter([](FractureSet& s) { s.geometry.positions[0].x = kNan; });
 }
 
+TEST_CASE("masses that are sound each, but not together, are refused") {
+    errorAfter([](FractureSet& s) {
+        for (Fragment& f : s.fragments) f.mass = 3e38F;
+        s.fragments[0].mass = 1e-38F;
+    });
+    errorAfter([](FractureSet& s) {
+        for (Fragment& f : s.fragments) f.centerOfMass *= 1e30F;
+    });
+}
+
 TEST_CASE("references that leave their tables are refused") {
     errorAfter([](FractureSet& s) { s.fragments[2].hulls = {0, 0}; });
     errorAfter([](FractureSet& s) { s.fragments[2].hulls = {UINT32_MAX, 1}; });

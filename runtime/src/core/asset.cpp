@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sherd/runtime/asset.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <new>
+#include <string>
 #include <utility>
 
 #include "core/asset_validation.h"
@@ -57,6 +59,24 @@ uint64_t hashOf(const FractureSet& set) {
         mix(std::bit_cast<uint32_t>(bond.area));
     }
     return hash;
+}
+
+/// Masses that are each sound may make nothing sound together: too large a sum, too small a share.
+Result<void> checkComposed(const std::vector<Fragment>& fragments) {
+    for (size_t f = 0; f < fragments.size(); ++f) {
+        const Fragment& fragment = fragments[f];
+        const glm::vec3 &inertia = fragment.inertiaDiagonal, &center = fragment.centerOfMass;
+        const float least = std::min({fragment.mass, inertia.x, inertia.y, inertia.z});
+        const float most = std::max({fragment.mass, inertia.x, inertia.y, inertia.z});
+        const bool isSound = least > 0 && std::isfinite(most) && std::isfinite(center.x) &&
+                             std::isfinite(center.y) && std::isfinite(center.z);
+        if (!isSound)
+            return fail(
+                ErrorCode::invalidData,
+                "the masses of an object's parts do not add up to it; bake the object again",
+                "/fragments/" + std::to_string(f) + "/mass");
+    }
+    return {};
 }
 
 Asset::Box boxAround(const FractureSet& set, const Fragment& fragment) {
@@ -143,7 +163,10 @@ Result<std::shared_ptr<const Asset>> Asset::fromFractureSet(FractureSet set) {
         if (auto valid = validateForRuntime(set); !valid) {
             return tl::unexpected<Error>(valid.error());
         }
-        return std::shared_ptr<const Asset>(new Asset(std::move(set)));
+        std::shared_ptr<const Asset> asset(new Asset(std::move(set)));
+        if (auto sound = checkComposed(asset->set().fragments); !sound)
+            return tl::unexpected<Error>(sound.error());
+        return asset;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::limitExceeded, "not enough memory for the object");
     }
