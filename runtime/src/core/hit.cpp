@@ -20,7 +20,7 @@ struct Seam {
     float energy = 0;    ///< that breaking it would consume, J
     float area = 0;      ///< m^2
     float strength = 0;  ///< of its weakest bond, Pa
-    float need = 0;      ///< the factor from which it breaks
+    double need = 0;     ///< the factor from which it breaks
     float near = 0;      ///< how near it is: 1 at the point, falling with distance
     uint32_t firstBond = 0, bondCount = 0;
 };
@@ -188,22 +188,24 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
     };
     // Of a factor f, a seam gets f x near^2 x area, or all it can take: it breaks from f = need on.
     // With the seams in that order, those in front break, the others share the rest.
-    const auto weight = [](const Seam& seam) { return seam.near * seam.near * seam.area; };
+    const auto weight = [](const Seam& seam) {
+        return double(seam.near) * double(seam.near) * double(seam.area);
+    };
     for (Seam& seam : scratch_.seams)
-        seam.need = seam.energy > 0 ? seam.energy / weight(seam) : 0.0F;
+        seam.need = seam.energy > 0 ? double(seam.energy) / weight(seam) : 0.0;
     std::sort(scratch_.seams.begin(), scratch_.seams.end(), [](const Seam& x, const Seam& y) {
         return std::tie(x.need, x.firstBond) < std::tie(y.need, y.firstBond);
     });
     double weights = 0;
-    for (const Seam& seam : scratch_.seams) weights += double(weight(seam));
+    for (const Seam& seam : scratch_.seams) weights += weight(seam);
     bool opens = false;
     size_t broken = 0;
     double rest = double(left);
     for (; broken < scratch_.seams.size(); ++broken) {
         const Seam& seam = scratch_.seams[broken];
-        if (double(seam.need) * weights > rest) break;
+        if (seam.need * weights > rest) break;
         rest -= double(seam.energy);
-        weights -= double(weight(seam));
+        weights -= weight(seam);
         for (uint32_t i = 0; i < seam.bondCount; ++i) {
             const uint32_t b = scratch_.bonds[seam.firstBond + i];
             structure_.breakBond(b);
@@ -218,7 +220,7 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
         const double factor = rest / weights;
         for (size_t s = broken; s < scratch_.seams.size(); ++s) {
             if (!(scratch_.seams[s].energy > 0)) continue;
-            const double taken = factor * double(weight(scratch_.seams[s]));
+            const double taken = factor * weight(scratch_.seams[s]);
             const auto share = float(taken / double(scratch_.seams[s].energy));  // of what is left
             for (uint32_t i = 0; i < scratch_.seams[s].bondCount; ++i) {
                 const uint32_t b = scratch_.bonds[scratch_.seams[s].firstBond + i];
