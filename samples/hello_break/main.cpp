@@ -74,9 +74,10 @@ int main(int argc, char** argv) {
             world.stepSimulation(1.0F / 60, 4, 1.0F / 240);  // a fast ball needs fine substeps
             for (const sherd::BreakEvent& event : destruction.events()) {
                 std::printf(
-                    "%.3f s: %s fragment %u: %u bodies came off, hit by %.3g J, %.3g of them used\n",
-                    event.time, asset->name().c_str(), event.fragment, event.bodies,
-                    event.energy, event.consumed);
+                    "%.3f s: %s fragment %u: %u bodies came off, hit by %.3g J, %.3g of them "
+                    "used\n",
+                    event.time, asset->name().c_str(), event.fragment, event.bodies, event.energy,
+                    event.consumed);
             }
         }
         std::printf("%zu pieces to draw\n", destruction.poses().size());

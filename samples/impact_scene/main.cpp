@@ -135,9 +135,8 @@ bool describe(const Shot& shot, const Asset& asset) {
         std::printf(
             "%s: %6.3f s  fragment %u: %u bonds broken down to level %u, %u bodies came off  "
             "%.2f N s, %.1f of %.1f J at (%.2f, %.2f, %.2f)\n",
-            name, event.time, event.fragment, event.bonds, event.level, event.bodies,
-            event.impulse, event.consumed, event.energy, event.point.x, event.point.y,
-            event.point.z);
+            name, event.time, event.fragment, event.bonds, event.level, event.bodies, event.impulse,
+            event.consumed, event.energy, event.point.x, event.point.y, event.point.z);
     }
     std::printf("%s: %zu breaks, %zu pieces\n", name, shot.breaks().size(), shot.poses().size());
     return true;
