@@ -109,7 +109,8 @@ double stepWithIntact(bool withSherd, bool asleep) {
     if (withSherd) destruction = std::make_unique<DestructionWorld>(bullet.world);
     std::vector<std::unique_ptr<btRigidBody>> bodies;
     for (int i = 0; i < kObjects; ++i) {
-        const float x = 0.5F * float(i % 32) - 8, z = 0.5F * float(i / 32) - 8;
+        const int row = i / 32;
+        const float x = 0.5F * float(i % 32) - 8, z = 0.5F * float(row) - 8;
         btRigidBody* body = nullptr;
         if (withSherd) {
             const ObjectId object = destruction->spawn(asset, at(x, 0.1F, z)).value();
