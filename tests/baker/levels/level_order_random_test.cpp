@@ -140,6 +140,7 @@ void checkCovered(const FractureSet& set, const SurfaceMesh& mesh) {
         for (const uint32_t f : fragmentsAtLevel(set, level))
             triangles.push_back(fragmentTriangles(set, f));
         std::vector<TriangleSoup> pieces;
+        pieces.reserve(triangles.size());
         for (const auto& piece : triangles) pieces.push_back({set.geometry.positions, piece});
         CoverageOptions options;
         options.points = 1000;

@@ -34,6 +34,7 @@ FracturePlan levelOf(const std::string& text, const PieceChoice& only = {}) {
 
 FracturePlan planOf(const std::vector<std::string>& texts) {
     std::vector<FracturePlan> levels;
+    levels.reserve(texts.size());
     for (const std::string& text : texts) levels.push_back(levelOf(text));
     return stackLevels(std::move(levels));
 }
@@ -74,6 +75,7 @@ void checkCovered(const FractureSet& set, const SurfaceMesh& mesh) {
         for (const uint32_t f : fragmentsAtLevel(set, level))
             triangles.push_back(fragmentTriangles(set, f));
         std::vector<TriangleSoup> pieces;
+        pieces.reserve(triangles.size());
         for (const auto& piece : triangles) pieces.push_back({set.geometry.positions, piece});
         CoverageOptions options;
         options.points = 4000;
