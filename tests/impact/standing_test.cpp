@@ -15,6 +15,12 @@ FractureSet weak(FractureSet set, float strength) {
     return set;
 }
 
+/// Of eight courses of eight bricks.
+std::shared_ptr<const Asset> weakWall() {
+    const BoxFracture wall{.size = {4, 2, 0.2F}, .level1 = {8, 8, 1}};
+    return Asset::fromFractureSet(weak(makeBoxFracture(wall), 2e5F)).value();
+}
+
 /// Fragments of an object that is 1 m of bricks high and long, and now lie below where they were.
 uint32_t fallen(const DestructionWorld& destruction, float y) {
     uint32_t count = 0;
@@ -37,9 +43,7 @@ AreaDamage boxAt(const glm::vec3& middle, const glm::vec3& half) {
 TEST_CASE("an anchored wall stands for ever, however its bricks are cracked on top") {
     BulletWorld bullet(btVector3(0, -10, 0));
     DestructionWorld destruction(bullet.world);
-    const auto asset = Asset::fromFractureSet(
-                           weak(makeBoxFracture({.size = {4, 2, 0.2F}, .level1 = {8, 8, 1}}), 2e5F))
-                           .value();
+    const auto asset = weakWall();
     const ObjectId wall = destruction.spawn(asset, at(0, 1, 0)).value();
     CHECK(destruction.anchorInBox(wall, {-9, -0.1F, -9}, {9, 0.1F, 9}) == 8);
     // One seam beside the top corner: the object opens, and is solved.
@@ -57,9 +61,7 @@ TEST_CASE("an anchored wall stands for ever, however its bricks are cracked on t
 TEST_CASE("a wall that is undercut far enough breaks off and falls") {
     BulletWorld bullet(btVector3(0, -10, 0));
     DestructionWorld destruction(bullet.world);
-    const auto asset = Asset::fromFractureSet(
-                           weak(makeBoxFracture({.size = {4, 2, 0.2F}, .level1 = {8, 8, 1}}), 2e5F))
-                           .value();
+    const auto asset = weakWall();
     const ObjectId wall = destruction.spawn(asset, at(0, 1, 0)).value();
     // Only the first two bricks of the lowest course are left to stand on.
     CHECK(destruction.anchorInBox(wall, {-2, -0.1F, -9}, {-1.1F, 0.1F, 9}) == 2);
@@ -121,9 +123,7 @@ TEST_CASE("without a budget for stress nothing falls by its own weight") {
     WorldOptions options;
     options.stressIterations = 0;
     DestructionWorld destruction(bullet.world, options);
-    const auto asset = Asset::fromFractureSet(
-                           weak(makeBoxFracture({.size = {4, 2, 0.2F}, .level1 = {8, 8, 1}}), 2e5F))
-                           .value();
+    const auto asset = weakWall();
     const ObjectId wall = destruction.spawn(asset, at(0, 1, 0)).value();
     CHECK(destruction.anchorInBox(wall, {-9, -0.1F, -9}, {9, 0.1F, 9}) == 8);
     REQUIRE(destruction.damage(wall, boxAt({0.5F, 0.25F, 0}, {1.9F, 0.05F, 1})).value() == 7);

@@ -13,24 +13,20 @@
 #include "bullet/bullet_bodies.h"
 #include "bullet/convert.h"
 #include "bullet/object_snapshot.h"
+#include "core/finite.h"
 #include "core/structure_bytes.h"
 
 namespace sherd {
 namespace {
 
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 Result<void> checkSpawn(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
                         const SpawnOptions& options) {
     if (!asset) return fail(ErrorCode::badArgument, "the asset is null; load one first", "asset");
-    const float norm = glm::dot(pose.rotation, pose.rotation);
-    if (!finite(pose.translation) || !std::isfinite(norm) || std::abs(norm - 1) > 1e-3F) {
+    if (!isSound(pose)) {
         return fail(ErrorCode::badArgument,
                     "the pose must have a finite place and a unit quaternion", "pose");
     }
-    if (!finite(options.linearVelocity) || !finite(options.angularVelocity)) {
+    if (!isFinite(options.linearVelocity) || !isFinite(options.angularVelocity)) {
         return fail(ErrorCode::badArgument, "the velocities must be finite", "options");
     }
     const DamageOptions& damage = options.damage;
@@ -255,7 +251,7 @@ Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const R
     const uint32_t island = impl_->bodies.islandOf(body);
     if (island == UINT32_MAX)
         return fail(ErrorCode::badArgument, "the body is none of Sherd's", "body");
-    if (!finite(hit.point) || !finite(hit.normal) || !(hit.energy >= 0) || !(hit.speed >= 0) ||
+    if (!isFinite(hit.point) || !isFinite(hit.normal) || !(hit.energy >= 0) || !(hit.speed >= 0) ||
         !(hit.impulse >= 0))
         return fail(ErrorCode::badArgument,
                     "place and direction must be finite, energy, speed and impulse not negative",

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bullet/convert.h"
+#include "core/finite.h"
 #include "core/structure_bytes.h"
 
 namespace sherd {
@@ -29,12 +31,7 @@ RigidPose readPose(ByteReader& from) {
 }
 
 bool isFinite(const btVector3& v) {
-    return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
-bool isSound(const RigidPose& pose) {
-    const glm::vec3& t = pose.translation;
-    return std::isfinite(t.x) && std::isfinite(t.y) && std::isfinite(t.z) &&
-           std::abs(glm::dot(pose.rotation, pose.rotation) - 1) < 1e-3F;
+    return sherd::isFinite(toGlm(v));
 }
 bool isSound(const BodySnapshot& body) {
     const btMatrix3x3 turn = body.transform.getBasis() * body.transform.getBasis().transpose();
@@ -46,7 +43,8 @@ bool isSound(const BodySnapshot& body) {
            body.activation <= DISABLE_SIMULATION && body.quietFor >= 0;
 }
 bool isSound(const IslandWorld::SavedIsland& island) {
-    return isSound(island.pose) && isSound(island.previous) && !std::isnan(island.bornAt);
+    return sherd::isSound(island.pose) && sherd::isSound(island.previous) &&
+           !std::isnan(island.bornAt);
 }
 
 IslandWorld::SavedIsland readIsland(ByteReader& from) {

@@ -3,7 +3,6 @@
 
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
-#include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
@@ -69,17 +68,6 @@ bool penetrates(const btCollisionObject& a, const btCollisionObject& b, float to
         });
     });
     return found;
-}
-
-float distanceTo(const btCollisionObject& body, const btVector3& point) {
-    const btSphereShape dot(0);
-    btTransform place = btTransform::getIdentity();
-    place.setOrigin(point);
-    float nearest = BT_LARGE_FLOAT;
-    forEachHull(body, [&](const btConvexShape& hull, const btTransform& pose) {
-        nearest = std::min(nearest, float(hullDistance(hull, pose, dot, place)));
-    });
-    return nearest;
 }
 
 void IgnoredPairs::addIfOverlapping(btCollisionObject& a, btCollisionObject& b, float tolerance) {

@@ -11,9 +11,6 @@ namespace sherd {
 /// collision margins included.
 bool penetrates(const btCollisionObject& a, const btCollisionObject& b, float tolerance);
 
-/// Distance from a point to a body made of convex hulls, metres; negative inside.
-float distanceTo(const btCollisionObject& body, const btVector3& point);
-
 /// Pairs of bodies that overlapped when they were released. Pushing them apart at once would blow
 /// the pile up (hulls of concave neighbours overlap), so they ignore each other until apart.
 class IgnoredPairs {

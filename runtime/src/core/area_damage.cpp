@@ -8,14 +8,11 @@
 #include <glm/vector_relational.hpp>
 
 #include "core/bond_price.h"
+#include "core/finite.h"
 #include "sherd/runtime/structure.h"
 
 namespace sherd {
 namespace {
-
-bool isFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// What of the fluence reaches a place, 0..1.
 float shareAt(const AreaDamage& damage, const glm::vec3& place) {
@@ -52,8 +49,7 @@ void openDownTo(Structure& structure, uint32_t fragment, HitResult& result) {
 const char* whyRefused(const AreaDamage& damage) {
     if (!isFinite(damage.a) || !isFinite(damage.b) || !isFinite(damage.shear))
         return "places and directions must be finite";
-    if (!(std::abs(glm::dot(damage.rotation, damage.rotation) - 1) < 1e-3F))
-        return "the rotation must be a unit quaternion";
+    if (!isUnit(damage.rotation)) return "the rotation must be a unit quaternion";
     if (!(damage.fluence >= 0)) return "the fluence must not be negative";
     if (!(damage.falloff >= 0 && damage.falloff <= 1)) return "the falloff must be 0 to 1";
     if (damage.shape != AreaDamage::Shape::box && !(damage.radius > 0 && damage.radius < HUGE_VALF))

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/asset_validation.h"
+#include "core/finite.h"
 #include "core/mass_properties.h"
 #include "sherd/formats/glb_read.h"
 
@@ -68,8 +69,7 @@ Result<void> checkComposed(const std::vector<Fragment>& fragments) {
         const glm::vec3 &inertia = fragment.inertiaDiagonal, &center = fragment.centerOfMass;
         const float least = std::min({fragment.mass, inertia.x, inertia.y, inertia.z});
         const float most = std::max({fragment.mass, inertia.x, inertia.y, inertia.z});
-        const bool isSound = least > 0 && std::isfinite(most) && std::isfinite(center.x) &&
-                             std::isfinite(center.y) && std::isfinite(center.z);
+        const bool isSound = least > 0 && std::isfinite(most) && isFinite(center);
         if (!isSound)
             return fail(
                 ErrorCode::invalidData,

@@ -44,7 +44,9 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     island.bornAt = -HUGE_VAL;
     island.pose = island.previous = pose;
     object.islands.assign(1, slot);
-    create(slot, motion);
+    IslandBody body = describe(slot);
+    body.motion = motion;
+    create(body);
     return idOf(index);
 }
 
@@ -101,13 +103,13 @@ IslandBody IslandWorld::describe(uint32_t index) const {
     return body;
 }
 
-void IslandWorld::create(uint32_t index, const BodyMotion& motion) {
-    Island& island = islands_[index];
+/// Makes the body described, where the island is; one that is fixed does not move.
+void IslandWorld::create(IslandBody body) {
+    Island& island = islands_[body.island];
     island.isAlive = true;
     ++islandCount_;
-    IslandBody body = describe(index);
     island.frame = body.frame;
-    if (!island.isFixed) body.motion = motion;
+    if (island.isFixed) body.motion = {};
     body.motion.pose = island.pose * body.frame;
     bodies_.create(body);
     posesListed_ = false;
@@ -171,7 +173,9 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
             island.bornAt = time_;
             give(island, g);
             island.isFixed = island.isAnchored;
-            create(slot, motionAt((island.pose * describe(slot).frame).translation));
+            IslandBody body = describe(slot);
+            body.motion = motionAt((island.pose * body.frame).translation);
+            create(body);
             split_.push_back(slot);
         }
         Island& kept = islands_[index];
@@ -220,7 +224,9 @@ void IslandWorld::replace(uint32_t index, Structure&& structure,
         island.pose = from.pose;
         island.previous = from.previous;
         object.islands.push_back(slot);
-        create(slot, from.motion);
+        IslandBody body = describe(slot);
+        body.motion = from.motion;
+        create(body);
         strain(slot);
     }
 }

@@ -9,15 +9,12 @@
 #include "core/bond_network.h"
 #include "core/bond_price.h"
 #include "core/equilibrium.h"
+#include "core/finite.h"
 #include "sherd/runtime/material.h"
 #include "sherd/runtime/structure.h"
 
 namespace sherd {
 namespace {
-
-bool isFinite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// What a bond holds, Pa; infinite where the options forbid that it breaks.
 struct Resistance {

@@ -14,6 +14,7 @@
 #include "sherd/baker/import.h"
 #include "sherd/baker/recipe.h"
 #include "support/baked_set.h"
+#include "support/cube_ring.h"
 #include "support/models.h"
 #include "support/property.h"
 #include "support/random_solids.h"
@@ -194,11 +195,7 @@ TEST_CASE("only chosen pieces are divided into groups, the others stand for them
 }
 
 TEST_CASE("a label keeps naming its component with a cluster above") {
-    FractureMap map;
-    for (int face : {0, 1})
-        map.lines.push_back({{cubeUv(face, -0.01, 0.4), cubeUv(face, 1.01, 0.4)}, 1, "ring"});
-    for (int face : {2, 3})
-        map.lines.push_back({{cubeUv(face, 0.4, -0.01), cubeUv(face, 0.4, 1.01)}, 1, "ring"});
+    FractureMap map = ringAroundCube();
     FractureMap::Label label;
     label.name = "top";
     label.level = 1;

@@ -11,11 +11,13 @@
 #include "sherd/formats/fracture_set.h"
 #include "sherd/formats/validate.h"
 #include "support/baked_set.h"
+#include "support/cube_ring.h"
 #include "support/hidden_looks.h"
 #include "support/property.h"
 #include "support/random_solids.h"
 #include "support/solid_meshes.h"
 #include "support/surface_meshes.h"
+#include "support/wall_sides.h"
 
 using namespace sherd;
 using namespace sherd::test;
@@ -131,20 +133,7 @@ TEST_CASE("neighbours share the same triangles, whoever cut them last") {
         for (const SeenFace& face : hiddenFacesOf(set)) area += 0.5 * glm::length(face.normal);
         for (const Bond& bond : set.bonds) bonds += bond.area;
         CHECK(2 * bonds == doctest::Approx(area).epsilon(1e-6));
-        const auto& p = set.geometry.positions;
-        std::map<std::array<std::array<float, 3>, 3>, int> sides;
-        for (const SeenFace& face : hiddenFacesOf(set)) {
-            std::array<std::array<float, 3>, 3> corners;
-            for (size_t k = 0; k < 3; ++k)
-                corners[k] = {p[face.v[k]].x, p[face.v[k]].y, p[face.v[k]].z};
-            if (glm::length(face.normal) < 1e-10) continue;
-            std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()),
-                        corners.end());
-            const bool turned = corners[2] < corners[1];
-            if (turned) std::swap(corners[1], corners[2]);
-            sides[corners] += turned ? -1 : 1;
-        }
-        for (const auto& [corners, sum] : sides) CHECK(sum == 0);
+        CHECK(unpairedFaces(set) == 0);
     }
 }
 
@@ -250,11 +239,7 @@ TEST_CASE("only chosen pieces are divided, the others stand for themselves") {
 }
 
 TEST_CASE("a name that a label gives chooses the pieces of its component") {
-    FractureMap map;
-    for (int face : {0, 1})
-        map.lines.push_back({{cubeUv(face, -0.01, 0.4), cubeUv(face, 1.01, 0.4)}, 1, "ring"});
-    for (int face : {2, 3})
-        map.lines.push_back({{cubeUv(face, 0.4, -0.01), cubeUv(face, 0.4, 1.01)}, 1, "ring"});
+    FractureMap map = ringAroundCube();
     FractureMap::Label label;
     label.name = "top";
     label.anchor = true;

@@ -10,29 +10,16 @@
 #include "sherd/formats/fracture_set.h"
 #include "sherd/formats/validate.h"
 #include "support/baked_set.h"
-#include "support/coverage.h"
+#include "support/level_coverage.h"
 #include "support/property.h"
 #include "support/random_solids.h"
+#include "support/solid_meshes.h"
 #include "support/wall_sides.h"
 
 using namespace sherd;
 using namespace sherd::test;
 
 namespace {
-
-SurfaceMesh meshOf(const Solid& solid) {
-    SurfaceMesh mesh;
-    mesh.name = "random";
-    mesh.positions = solid.positions;
-    mesh.triangles = mesh.corners = solid.triangles;
-    mesh.materials = {-1};
-    mesh.triangleMaterials.assign(mesh.triangles.size(), 0);
-    std::vector<float> normals;
-    for (size_t v = 0; v < mesh.positions.size(); ++v)
-        normals.insert(normals.end(), {0.0F, 0.0F, 1.0F});
-    mesh.attributes = {{"NORMAL", 3, normals}};
-    return mesh;
-}
 
 /// Lines across the page, straight or bent, and at times one that closes.
 FractureMap randomDrawing(Random& random) {
@@ -122,33 +109,9 @@ class RandomLevels {
     Random& random_;
 };
 
-double volumeAt(const FractureSet& set, uint32_t level) {
-    double sum = 0;
-    for (const uint32_t f : fragmentsAtLevel(set, level)) sum += set.fragments[f].volume;
-    return sum;
-}
-
 bool tells(const BakedObjectReport& report, const std::string& code) {
     return std::any_of(report.findings.begin(), report.findings.end(),
                        [&](const BakeFinding& f) { return f.code == code; });
-}
-
-void checkCovered(const FractureSet& set, const SurfaceMesh& mesh) {
-    for (uint32_t level = 1; level < set.levels.size(); ++level) {
-        CAPTURE(level);
-        std::vector<std::vector<std::array<uint32_t, 3>>> triangles;
-        for (const uint32_t f : fragmentsAtLevel(set, level))
-            triangles.push_back(fragmentTriangles(set, f));
-        std::vector<TriangleSoup> pieces;
-        pieces.reserve(triangles.size());
-        for (const auto& piece : triangles) pieces.push_back({set.geometry.positions, piece});
-        CoverageOptions options;
-        options.points = 1000;
-        const Coverage coverage =
-            measureCoverage({mesh.positions, mesh.triangles}, pieces, options);
-        CHECK(coverage.none == 0);
-        CHECK(coverage.several == 0);
-    }
 }
 
 void checkLevels(const BakedObject& baked) {
@@ -206,7 +169,7 @@ TEST_CASE("random solids bake with levels of lines, cuts and clusters in any ord
             recipe.interior.type == InteriorType::solid && !tells(baked->report, "solid-fallback");
         if (!isThrough) continue;
         if (!tells(baked->report, "walls-apart")) CHECK(unpairedFaces(baked->set) == 0);
-        if (solid.simple) checkCovered(baked->set, mesh);
+        if (solid.simple) checkCovered(baked->set, mesh, 1000);
     }
     MESSAGE(bakes << " bakes, " << pieces << " pieces, walls apart in " << told["walls-apart"]
                   << ", folded in " << told["walls-folded"] << ", early in "

@@ -12,8 +12,10 @@
 #include "sherd/formats/fracture_set.h"
 #include "sherd/formats/validate.h"
 #include "support/baked_set.h"
-#include "support/coverage.h"
+#include "support/cube_ring.h"
 #include "support/hidden_looks.h"
+#include "support/level_coverage.h"
+#include "support/solid_meshes.h"
 #include "support/surface_meshes.h"
 #include "support/wall_sides.h"
 
@@ -53,12 +55,6 @@ std::vector<double> volumesAt(const FractureSet& set, uint32_t level) {
     return volumes;
 }
 
-double volumeAt(const FractureSet& set, uint32_t level) {
-    double sum = 0;
-    for (const double v : volumesAt(set, level)) sum += v;
-    return sum;
-}
-
 void checkVolumes(const FractureSet& set, uint32_t level, std::vector<double> expected) {
     CAPTURE(level);
     std::sort(expected.begin(), expected.end());
@@ -66,24 +62,6 @@ void checkVolumes(const FractureSet& set, uint32_t level, std::vector<double> ex
     REQUIRE(volumes.size() == expected.size());
     for (size_t i = 0; i < volumes.size(); ++i)
         CHECK(volumes[i] == doctest::Approx(expected[i]).epsilon(1e-5));
-}
-
-/// Of points in the cube [0, size]^3: none in no piece or several, at any level.
-void checkCovered(const FractureSet& set, const SurfaceMesh& mesh) {
-    for (uint32_t level = 1; level < set.levels.size(); ++level) {
-        std::vector<std::vector<std::array<uint32_t, 3>>> triangles;
-        for (const uint32_t f : fragmentsAtLevel(set, level))
-            triangles.push_back(fragmentTriangles(set, f));
-        std::vector<TriangleSoup> pieces;
-        pieces.reserve(triangles.size());
-        for (const auto& piece : triangles) pieces.push_back({set.geometry.positions, piece});
-        CoverageOptions options;
-        options.points = 4000;
-        const Coverage coverage =
-            measureCoverage({mesh.positions, mesh.triangles}, pieces, options);
-        CHECK(coverage.none == 0);
-        CHECK(coverage.several == 0);
-    }
 }
 
 size_t divided(const FractureSet& set, uint32_t level) {
@@ -111,7 +89,7 @@ TEST_CASE("a box cut in slices and then along a grid has just the products as pi
         CHECK(unpairedFaces(set) == 0);
         for (uint32_t f = 0; f < set.fragments.size(); ++f)
             if (set.fragments[f].children.count > 0) CHECK(childrenAddUp(set, f));
-        checkCovered(set, cube);
+        checkCovered(set, cube, 4000);
     }
 }
 
@@ -126,7 +104,7 @@ TEST_CASE("where every cut is by planes of its own, the order of the levels does
     CHECK(below.levels[1].fragments.count == 3);
     CHECK(above.levels[1].fragments.count == 6);
     CHECK(unpairedFaces(below) == 0);
-    checkCovered(below, cube);
+    checkCovered(below, cube, 4000);
 }
 
 TEST_CASE("lines, a cut and lines again: every level fills the object and its parents") {
@@ -146,7 +124,7 @@ TEST_CASE("lines, a cut and lines again: every level fills the object and its pa
         }
         for (uint32_t f = 1; f < set.fragments.size(); ++f)
             if (set.fragments[f].children.count > 0) CHECK(childrenAddUp(set, f));
-        if (type == InteriorType::solid) checkCovered(set, mesh);
+        if (type == InteriorType::solid) checkCovered(set, mesh, 4000);
     }
 }
 
@@ -232,11 +210,7 @@ TEST_CASE("lines that a piece was not chosen for do not cut it with deeper lines
 }
 
 TEST_CASE("a name chooses for lines, too, also one that a drawing below a cut gives") {
-    FractureMap map;
-    for (int face : {0, 1})
-        map.lines.push_back({{cubeUv(face, -0.01, 0.4), cubeUv(face, 1.01, 0.4)}, 1, "ring"});
-    for (int face : {2, 3})
-        map.lines.push_back({{cubeUv(face, 0.4, -0.01), cubeUv(face, 0.4, 1.01)}, 1, "ring"});
+    FractureMap map = ringAroundCube();
     FractureMap::Label label;
     label.name = "top";
     label.level = 2;
@@ -260,11 +234,7 @@ TEST_CASE("a name chooses for lines, too, also one that a drawing below a cut gi
 }
 
 TEST_CASE("a label may name a piece that a cut above its lines made") {
-    FractureMap map;
-    for (int face : {0, 1})
-        map.lines.push_back({{cubeUv(face, -0.01, 0.4), cubeUv(face, 1.01, 0.4)}, 1, "ring"});
-    for (int face : {2, 3})
-        map.lines.push_back({{cubeUv(face, 0.4, -0.01), cubeUv(face, 0.4, 1.01)}, 1, "ring"});
+    FractureMap map = ringAroundCube();
     FractureMap::Label label;
     label.name = "left";
     label.level = 1;

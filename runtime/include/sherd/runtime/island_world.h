@@ -176,7 +176,7 @@ class IslandWorld {
   private:
     uint32_t takeIsland();
     [[nodiscard]] IslandBody describe(uint32_t island) const;
-    void create(uint32_t island, const BodyMotion& motion);
+    void create(IslandBody body);
     void removeIslands(Object& object);
     void settle(uint32_t island, uint32_t fragment, BreakEvent event);
     void strain(uint32_t island);
