@@ -135,6 +135,37 @@ double stepWithIntact(bool withSherd, bool asleep) {
     return time / kSteps;
 }
 
+/// Parts knocked off a wall of ten thousand fragments, one hit after the other: the first, which
+/// opens it, and the longest of the others, without the step that follows.
+struct Swaps {
+    double first = 0, longest = 0, median = 0;
+    uint32_t bodies = 0;
+};
+Swaps knockOff(const std::shared_ptr<const Asset>& asset, int hits) {
+    BulletWorld bullet;
+    DestructionWorld destruction(bullet.world);
+    const ObjectId object = destruction.spawn(asset, at(0, 0, 0)).value();
+    bullet.step();
+    std::vector<double> times;
+    for (int i = 0; i < hits; ++i) {
+        const Asset::Box& box = asset->box(0);
+        const float along = (float(i) + 0.5F) / float(hits);
+        AreaDamage damage;
+        damage.a = {box.high.x, box.low.y + along * (box.high.y - box.low.y), 0.13F};
+        damage.radius = 0.15F;
+        damage.fluence = 1e9F;
+        times.push_back(milliseconds([&] { (void)destruction.damage(object, damage); }));
+        bullet.step();
+    }
+    Swaps swaps;
+    swaps.first = times.front();
+    std::sort(times.begin() + 1, times.end());
+    swaps.longest = times.back();
+    swaps.median = times[times.size() / 2];
+    swaps.bodies = destruction.bodyCount() - 1;
+    return swaps;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -163,6 +194,17 @@ int main(int argc, char** argv) {
         std::printf("  %6u%40.2f%12.2f%8.2f\n", asset->graph().leafCount(), ours, hand,
                     ours / hand);
     }
+    const auto wall = cubes({5, 40, 50});
+    Swaps swaps;
+    swaps.longest = HUGE_VAL;
+    for (int i = 0; i < runs; ++i) {
+        const Swaps now = knockOff(wall, 20);
+        if (now.longest < swaps.longest) swaps = now;
+    }
+    std::printf(
+        "swaps of an object of %u leaves: first %.2f ms, longest of 19 others %.2f, median "
+        "%.2f; %u bodies came off\n",
+        wall->graph().leafCount(), swaps.first, swaps.longest, swaps.median, swaps.bodies);
     std::printf("a step with 1,000 whole objects%17s%12s%8s\n", "Sherd", "without", "more");
     for (const bool asleep : {false, true}) {
         const double ours = smallest(runs, [&] { return stepWithIntact(true, asleep); });

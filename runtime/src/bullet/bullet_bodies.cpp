@@ -13,28 +13,40 @@ BulletBodies::~BulletBodies() {
 }
 
 void BulletBodies::prepare(const std::shared_ptr<const Asset>& asset) {
-    for (const auto& shapes : shapes_)
-        if (shapes->asset() == asset) return;
-    shapes_.push_back(std::make_unique<FragmentShapes>(asset));
+    for (const auto& prepared : assets_)
+        if (prepared->shapes.asset() == asset) return;
+    assets_.push_back(std::make_unique<Prepared>(asset, tolerance_));
+}
+
+BulletBodies::Prepared& BulletBodies::preparedOf(const Asset& asset) const {
+    size_t i = 0;
+    while (assets_[i]->shapes.asset().get() != &asset) ++i;
+    return *assets_[i];
 }
 
 FragmentShapes& BulletBodies::shapesOf(const Asset& asset) const {
-    size_t i = 0;
-    while (shapes_[i]->asset().get() != &asset) ++i;
-    return *shapes_[i];
+    return preparedOf(asset).shapes;
+}
+
+std::span<const uint32_t> BulletBodies::fragmentsOf(uint32_t island) const {
+    const Body& slot = bodies_[island];
+    return slot.shape ? slot.shape->fragments() : std::span(&slot.firstFragment, 1);
 }
 
 /// Makes the shape, too, if there is none yet that would do.
 btRigidBody::btRigidBodyConstructionInfo BulletBodies::describe(Body& slot,
                                                                 const IslandBody& island) {
-    const FragmentShapes& shapes = shapesOf(*island.asset);
+    slot.asset = &preparedOf(*island.asset);
+    const FragmentShapes& shapes = slot.asset->shapes;
     slot.object = island.object.index;
     slot.firstFragment = island.fragments.front();
     slot.diagonal = island.asset->diagonal();
     slot.frame = toBullet(island.frame);
     btCollisionShape* shape = shapes.shape(island.fragments.front());
     if (island.fragments.size() > 1) {
-        slot.shape = std::make_unique<IslandShape>(shapes, island.fragments, slot.frame);
+        if (!slot.shape)
+            slot.shape =
+                std::make_unique<IslandShape>(shapes, island.fragments, slot.frame, marks_);
         shape = slot.shape->shape();
     }
     btRigidBody::btRigidBodyConstructionInfo info(island.mass, nullptr, shape,
@@ -75,18 +87,24 @@ void BulletBodies::create(const IslandBody& island) {
     if (inStep_ && island.mass > 0) slot.body->applyGravity();
 }
 
-/// Out of the world and in again: Bullet sorts bodies into fixed and moving ones when they are
-/// added, and holds contacts of the old shape.
+/// Where it cannot change in place it goes out of the world and in again: Bullet sorts bodies into
+/// fixed and moving ones when they are added, and holds contacts of the old shape.
 void BulletBodies::update(const IslandBody& island) {
     Body& slot = bodies_[island.island];
     btRigidBody& body = *slot.body;
     const bool isInWorld = body.isInWorld();
-    const bool wasFixed = body.isStaticObject();
+    const bool wasFixed = body.isStaticObject(), isFixed = island.mass == 0;
     const btVector3 weight = body.getGravity() * body.getMass();
-    if (isInWorld) world_.removeRigidBody(&body);
-    const std::unique_ptr<IslandShape> old = std::move(slot.shape);
+    const bool isInPlace =
+        slot.shape && wasFixed == isFixed && island.fragments.size() > 1 &&
+        slot.shape->become(slot.asset->shapes, island.fragments, toBullet(island.frame), marks_);
+    std::unique_ptr<IslandShape> old;
+    if (!isInPlace) {
+        if (isInWorld) world_.removeRigidBody(&body);
+        old = std::move(slot.shape);
+    }
     const auto info = describe(slot, island);
-    body.setCollisionShape(info.m_collisionShape);
+    if (!isInPlace) body.setCollisionShape(info.m_collisionShape);
     body.setWorldTransform(info.m_startWorldTransform);
     body.setInterpolationWorldTransform(info.m_startWorldTransform);
     slot.seen = info.m_startWorldTransform;
@@ -96,11 +114,12 @@ void BulletBodies::update(const IslandBody& island) {
     body.setFriction(info.m_friction);
     body.setRestitution(info.m_restitution);
     move(body, island.motion);
-    // Bullet puts what stands fixed to sleep, and it would hang in the air.
-    if (wasFixed && island.mass > 0) body.forceActivationState(ACTIVE_TAG);
-    if (isInWorld) addToWorld(slot);
-    if (inStep_ && island.mass > 0)
-        body.applyCentralForce(body.getGravity() * body.getMass() - weight);
+    // Bullet puts what stands fixed to sleep, and it would hang in the air; as what slept would.
+    if (!isFixed && wasFixed) body.forceActivationState(ACTIVE_TAG);
+    if (!isFixed) body.activate();
+    if (isInWorld && isInPlace) world_.updateSingleAabb(&body);
+    if (isInWorld && !isInPlace) addToWorld(slot);
+    if (inStep_ && !isFixed) body.applyCentralForce(body.getGravity() * body.getMass() - weight);
 }
 
 void BulletBodies::remove(uint32_t island) {
@@ -150,7 +169,8 @@ uint32_t BulletBodies::islandOf(const btCollisionObject& body) const {
 
 uint32_t BulletBodies::fragmentOf(uint32_t island, int child) const {
     const Body& slot = bodies_[island];
-    return slot.shape && child >= 0 ? slot.shape->fragmentOf(child) : slot.firstFragment;
+    const bool isKnown = slot.shape && child >= 0 && size_t(child) < slot.shape->fragments().size();
+    return isKnown ? slot.shape->fragmentOf(child) : slot.firstFragment;
 }
 
 }  // namespace sherd

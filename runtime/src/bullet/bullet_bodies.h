@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "bullet/fragment_shapes.h"
+#include "bullet/island_shape.h"
 #include "bullet/released_pairs.h"
+#include "bullet/rest_overlaps.h"
 #include "sherd/runtime/island_world.h"
 
 namespace sherd {
@@ -19,7 +21,7 @@ namespace sherd {
 class BulletBodies final : public BodyTable {
   public:
     BulletBodies(btDynamicsWorld& world, float overlapTolerance)
-        : released_(*this, overlapTolerance), world_(world) {}
+        : released_(*this, overlapTolerance), world_(world), tolerance_(overlapTolerance) {}
     ~BulletBodies() override;
     BulletBodies(const BulletBodies&) = delete;
     BulletBodies& operator=(const BulletBodies&) = delete;
@@ -57,13 +59,28 @@ class BulletBodies final : public BodyTable {
     /// The fragment that a child of the body's shape belongs to; the first for -1.
     [[nodiscard]] uint32_t fragmentOf(uint32_t island, int child) const;
     [[nodiscard]] FragmentShapes& shapesOf(const Asset& asset) const;
+    /// Ascending; some may be listed more than once.
+    [[nodiscard]] std::span<const uint32_t> fragmentsOf(uint32_t island) const;
+    [[nodiscard]] const RestOverlaps& restOverlapsOf(uint32_t island) const {
+        return bodies_[island].asset->overlaps;
+    }
     [[nodiscard]] ReleasedPairs& released() { return released_; }
     [[nodiscard]] const ReleasedPairs& released() const { return released_; }
 
   private:
+    /// What every body of an asset shares.
+    struct Prepared {
+        Prepared(std::shared_ptr<const Asset> asset, float tolerance)
+            : shapes(std::move(asset)), overlaps(shapes, tolerance * shapes.asset()->diagonal()) {}
+        FragmentShapes shapes;
+        RestOverlaps overlaps;
+    };
+    [[nodiscard]] Prepared& preparedOf(const Asset& asset) const;
+
     struct Body {
         std::unique_ptr<btRigidBody> body;   ///< null: there is none
         std::unique_ptr<IslandShape> shape;  ///< null: its only fragment's own
+        const Prepared* asset = nullptr;
         uint32_t object = 0;
         uint32_t firstFragment = 0;
         float diagonal = 0;  ///< of the object, metres
@@ -80,10 +97,12 @@ class BulletBodies final : public BodyTable {
 
     ReleasedPairs released_;
     btDynamicsWorld& world_;
-    std::vector<std::unique_ptr<FragmentShapes>> shapes_;
+    float tolerance_;
+    std::vector<std::unique_ptr<Prepared>> assets_;
     std::vector<Filter> filters_;  ///< per object
     std::optional<Filter> nextFilter_;
     std::vector<Body> bodies_;  ///< per island
+    IslandShape::Marks marks_;
     bool inStep_ = false;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bullet/fragment_shapes.h"
 
+#include <algorithm>
+
 #include "bullet/convert.h"
 
 namespace sherd {
@@ -20,13 +22,8 @@ std::unique_ptr<btConvexHullShape> makeHull(const FractureSet& set, const Convex
     return shape;
 }
 
-/// Empty, for so many hulls. They have margins of their own.
-std::unique_ptr<btCompoundShape> makeCompound(size_t hulls) {
-    constexpr size_t kTreeWorthwhile = 8;  // below, testing every child is cheaper than a tree
-    auto compound = std::make_unique<btCompoundShape>(hulls > kTreeWorthwhile, int(hulls));
-    compound->setMargin(0);
-    return compound;
-}
+/// From so many colliders on, arranging them takes long enough to do it beforehand.
+constexpr size_t kLargeFamily = 64;
 
 }  // namespace
 
@@ -45,23 +42,38 @@ FragmentShapes::FragmentShapes(std::shared_ptr<const Asset> asset) : asset_(std:
             shapes_.push_back(hulls_.back().get());
             continue;
         }
-        compounds_.push_back(makeCompound(range.count));
+        compounds_.push_back(std::make_unique<ColliderSet>(range.count));
         for (const auto& hull : hulls(f))
             compounds_.back()->addChildShape(btTransform::getIdentity(), hull.get());
         shapes_.push_back(compounds_.back().get());
     }
+    families_.resize(set.fragments.size());
+    for (uint32_t f = 0; f < asset_->fragmentCount(); ++f) makeFamily(f);
 }
 
-IslandShape::IslandShape(const FragmentShapes& shapes, std::span<const uint32_t> fragments,
-                         const btTransform& bodyFrame) {
-    for (const uint32_t fragment : fragments)
-        fragments_.insert(fragments_.end(), shapes.hulls(fragment).size(), fragment);
-    compound_ = makeCompound(fragments_.size());
-    const btTransform objectToBody = bodyFrame.inverse();
-    for (const uint32_t fragment : fragments) {
-        const btTransform place = objectToBody * shapes.bodyFrame(fragment);
-        for (const auto& hull : shapes.hulls(fragment)) compound_->addChildShape(place, hull.get());
-    }
+void FragmentShapes::makeFamily(uint32_t fragment) {
+    const Range children = asset_->fragment(fragment).children;
+    size_t count = 0;
+    for (uint32_t c = 0; c < children.count; ++c) count += hulls(children.first + c).size();
+    if (count < kLargeFamily) return;
+    Family& family = families_[fragment];
+    family.colliders = std::make_unique<ColliderSet>(count);
+    family.fragments.reserve(count);
+    for (uint32_t c = children.first; c < children.first + children.count; ++c)
+        for (const auto& hull : hulls(c)) {
+            family.colliders->addChildShape(bodyFrame(c), hull.get());
+            family.fragments.push_back(c);
+        }
+}
+
+const FragmentShapes::Family* FragmentShapes::familyOf(std::span<const uint32_t> fragments) const {
+    // What most of them are children of, if anything is: the middle one is.
+    const int32_t parent = asset_->fragment(fragments[fragments.size() / 2]).parent;
+    if (parent < 0 || !families_[size_t(parent)].colliders) return nullptr;
+    const Range children = asset_->fragment(uint32_t(parent)).children;
+    const auto first = std::lower_bound(fragments.begin(), fragments.end(), children.first);
+    const auto end = std::lower_bound(first, fragments.end(), children.first + children.count);
+    return size_t(end - first) * 2 > children.count ? &families_[size_t(parent)] : nullptr;
 }
 
 btCollisionShape* FragmentShapes::shape(uint32_t fragment) const {

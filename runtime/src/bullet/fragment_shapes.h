@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "bullet/collider_set.h"
 #include "sherd/runtime/asset.h"
 
 namespace sherd {
@@ -29,27 +29,24 @@ class FragmentShapes {
         return std::span(hulls_).subspan(firstHull_[fragment], range.count);
     }
 
+    /// The colliders of all children of a fragment, in the object's frame, to copy: so many take
+    /// long to arrange.
+    struct Family {
+        std::unique_ptr<ColliderSet> colliders;
+        std::vector<uint32_t> fragments;  ///< per collider
+    };
+    /// The one of which these, ascending, are most; null when there is none.
+    [[nodiscard]] const Family* familyOf(std::span<const uint32_t> fragments) const;
+
   private:
+    void makeFamily(uint32_t fragment);
+
     std::shared_ptr<const Asset> asset_;
     std::vector<std::unique_ptr<btConvexHullShape>> hulls_;  ///< fragment by fragment
     std::vector<uint32_t> firstHull_;
-    std::vector<std::unique_ptr<btCompoundShape>> compounds_;
+    std::vector<std::unique_ptr<ColliderSet>> compounds_;
     std::vector<btCollisionShape*> shapes_;
-};
-
-/// Several fragments as one body: a compound of all their colliders, side by side.
-class IslandShape {
-  public:
-    IslandShape(const FragmentShapes& shapes, std::span<const uint32_t> fragments,
-                const btTransform& bodyFrame);
-
-    [[nodiscard]] btCollisionShape* shape() const { return compound_.get(); }
-    /// The fragment that a child of the compound belongs to.
-    [[nodiscard]] uint32_t fragmentOf(int child) const { return fragments_[size_t(child)]; }
-
-  private:
-    std::unique_ptr<btCompoundShape> compound_;
-    std::vector<uint32_t> fragments_;  ///< per child
+    std::vector<Family> families_;  ///< per fragment; most have none
 };
 
 }  // namespace sherd

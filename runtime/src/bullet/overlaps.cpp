@@ -71,7 +71,11 @@ bool penetrates(const btCollisionObject& a, const btCollisionObject& b, float to
 }
 
 void IgnoredPairs::addIfOverlapping(btCollisionObject& a, btCollisionObject& b, float tolerance) {
-    if (&a == &b || !a.checkCollideWith(&b) || !penetrates(a, b, tolerance)) return;
+    if (&a != &b && a.checkCollideWith(&b) && penetrates(a, b, tolerance)) add(a, b, tolerance);
+}
+
+void IgnoredPairs::add(btCollisionObject& a, btCollisionObject& b, float tolerance) {
+    if (!a.checkCollideWith(&b)) return;
     pairs_.push_back({&a, &b, tolerance});
     setIgnored(pairs_.back(), true);
 }

@@ -15,7 +15,9 @@ bool penetrates(const btCollisionObject& a, const btCollisionObject& b, float to
 /// the pile up (hulls of concave neighbours overlap), so they ignore each other until apart.
 class IgnoredPairs {
   public:
-    /// Ignores the pair if it penetrates and is not ignored already.
+    /// Ignores the pair if it is not ignored already; one that penetrates until it no longer does.
+    void add(btCollisionObject& a, btCollisionObject& b, float tolerance);
+    /// If it penetrates.
     void addIfOverlapping(btCollisionObject& a, btCollisionObject& b, float tolerance);
 
     /// Lets pairs that came apart collide again. Looks at a bounded number of pairs per call, in

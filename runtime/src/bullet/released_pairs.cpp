@@ -7,6 +7,11 @@
 #include "bullet/bullet_bodies.h"
 
 namespace sherd {
+namespace {
+
+constexpr uint32_t kNone = UINT32_MAX;
+
+}  // namespace
 
 void ReleasedPairs::beforeSplit(uint32_t island) {
     partners_.clear();
@@ -17,15 +22,17 @@ void ReleasedPairs::beforeSplit(uint32_t island) {
 /// with whatever they still overlapped as one.
 void ReleasedPairs::afterSplit(uint32_t parent, std::span<const uint32_t> islands) {
     uint32_t group = groupCount_;
+    bool isInPlace = true;
     const auto self = std::find_if(newcomers_.begin(), newcomers_.end(),
                                    [&](const Newcomer& n) { return n.island == parent; });
     if (self == newcomers_.end()) {
         ++groupCount_;
     } else {
         group = self->group;
+        isInPlace = self->isInPlace;
         newcomers_.erase(self);
     }
-    for (const uint32_t island : islands) newcomers_.push_back({group, island});
+    for (const uint32_t island : islands) newcomers_.push_back({group, island, isInPlace});
 
     for (const btCollisionObject* partner : partners_)
         inherited_.emplace_back(parent, bodies_.islandOf(*partner));
@@ -40,7 +47,7 @@ void ReleasedPairs::afterSplit(uint32_t parent, std::span<const uint32_t> island
 }
 
 void ReleasedPairs::addGroup(std::span<const uint32_t> islands) {
-    for (const uint32_t island : islands) newcomers_.push_back({groupCount_, island});
+    for (const uint32_t island : islands) newcomers_.push_back({groupCount_, island, false});
     ++groupCount_;
 }
 
@@ -51,37 +58,66 @@ void ReleasedPairs::forget(uint32_t island) {
                   [&](const auto& pair) { return pair.first == island || pair.second == island; });
 }
 
-/// Sweep and prune along x inside each group, then the exact test.
-void ReleasedPairs::settle() {
+void ReleasedPairs::test(uint32_t a, uint32_t b) {
+    ignored_.addIfOverlapping(bodies_.body(a), bodies_.body(b), tolerance_ * bodies_.diagonalOf(a));
+}
+
+void ReleasedPairs::settleInPlace(std::span<const Newcomer> group) {
+    const RestOverlaps& overlaps = bodies_.restOverlapsOf(group.front().island);
+    if (overlaps.areNone()) return;
+    for (const Newcomer& newcomer : group)
+        for (const uint32_t fragment : bodies_.fragmentsOf(newcomer.island)) {
+            if (islandOf_.size() <= fragment) islandOf_.resize(fragment + 1, kNone);
+            islandOf_[fragment] = newcomer.island;
+        }
+    for (const Newcomer& newcomer : group)
+        for (const uint32_t fragment : bodies_.fragmentsOf(newcomer.island))
+            for (const uint32_t other : overlaps.of(fragment)) {
+                if (other >= islandOf_.size()) break;
+                const uint32_t partner = islandOf_[other];
+                if (partner == kNone || partner <= newcomer.island) continue;
+                ignored_.add(bodies_.body(newcomer.island), bodies_.body(partner),
+                             tolerance_ * bodies_.diagonalOf(partner));
+            }
+    for (const Newcomer& newcomer : group)
+        for (const uint32_t fragment : bodies_.fragmentsOf(newcomer.island))
+            islandOf_[fragment] = kNone;
+}
+
+/// Sweep and prune along x, then the exact test.
+void ReleasedPairs::settleAnywhere(std::span<const Newcomer> group) {
     struct Extent {
-        uint32_t group;
-        float low;
-        float high;
+        float low, high;
         uint32_t island;
     };
-    if (newcomers_.empty() && inherited_.empty()) return;
     std::vector<Extent> extents;
-    extents.reserve(newcomers_.size());
-    for (const Newcomer& newcomer : newcomers_) {
-        btVector3 low;
-        btVector3 high;
+    extents.reserve(group.size());
+    for (const Newcomer& newcomer : group) {
+        btVector3 low, high;
         bodies_.body(newcomer.island).getAabb(low, high);
-        extents.push_back({newcomer.group, float(low.x()), float(high.x()), newcomer.island});
+        extents.push_back({float(low.x()), float(high.x()), newcomer.island});
     }
     std::sort(extents.begin(), extents.end(), [](const Extent& x, const Extent& y) {
-        return std::tuple(x.group, x.low, x.island) < std::tuple(y.group, y.low, y.island);
+        return std::tuple(x.low, x.island) < std::tuple(y.low, y.island);
     });
-    const auto test = [&](uint32_t a, uint32_t b) {
-        ignored_.addIfOverlapping(bodies_.body(a), bodies_.body(b),
-                                  tolerance_ * bodies_.diagonalOf(a));
-    };
-    for (size_t i = 0; i < extents.size(); ++i) {
-        for (size_t j = i + 1; j < extents.size(); ++j) {
-            const bool reach =
-                extents[j].group == extents[i].group && extents[j].low <= extents[i].high;
-            if (!reach) break;
+    for (size_t i = 0; i < extents.size(); ++i)
+        for (size_t j = i + 1; j < extents.size() && extents[j].low <= extents[i].high; ++j)
             test(extents[i].island, extents[j].island);
+}
+
+void ReleasedPairs::settle() {
+    std::stable_sort(newcomers_.begin(), newcomers_.end(),
+                     [](const Newcomer& x, const Newcomer& y) { return x.group < y.group; });
+    for (size_t first = 0; first < newcomers_.size();) {
+        size_t end = first;
+        while (end < newcomers_.size() && newcomers_[end].group == newcomers_[first].group) ++end;
+        const auto group = std::span(newcomers_).subspan(first, end - first);
+        if (group.front().isInPlace) {
+            settleInPlace(group);
+        } else {
+            settleAnywhere(group);
         }
+        first = end;
     }
     for (const auto& [a, b] : inherited_) test(a, b);
     newcomers_.clear();

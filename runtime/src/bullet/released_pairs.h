@@ -13,7 +13,8 @@ namespace sherd {
 class BulletBodies;
 
 /// Finds out which of the islands released together overlap, so that they ignore each other until
-/// they are apart.
+/// they are apart. Those that came out of one body lie as they do in their object, where it is
+/// known what overlaps.
 class ReleasedPairs {
   public:
     /// `tolerance`: share of the object's diagonal that counts as touching.
@@ -24,7 +25,7 @@ class ReleasedPairs {
     /// Bodies that were put into the world at once.
     void addGroup(std::span<const uint32_t> islands);
     void forget(uint32_t island);
-    /// Tests all that was released since the last call.
+    /// Takes up all that was released since the last call.
     void settle();
 
     /// Lets pairs that came apart collide again.
@@ -38,8 +39,14 @@ class ReleasedPairs {
     struct Newcomer {
         uint32_t group;  ///< all that came out of one body since the last `settle`
         uint32_t island;
+        bool isInPlace;  ///< where its object has it, seen from the others of the group
     };
+    void settleInPlace(std::span<const Newcomer> group);
+    void settleAnywhere(std::span<const Newcomer> group);
+    void test(uint32_t a, uint32_t b);
+
     std::vector<Newcomer> newcomers_;
+    std::vector<uint32_t> islandOf_;  ///< per fragment, of the group just looked at
     uint32_t groupCount_ = 0;
     std::vector<std::pair<uint32_t, uint32_t>> inherited_;  ///< overlapped as parts of others
     std::vector<btCollisionObject*> partners_;

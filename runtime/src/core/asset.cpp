@@ -154,6 +154,10 @@ Asset::Asset(FractureSet set) : set_(std::move(set)), graph_(set_) {
         if (bond.b != BondGraph::kWorld) breakEnergy_[bond.parting] += bond.area * bond.toughness;
     for (const Fragment& fragment : set_.fragments) boxes_.push_back(boxAround(set_, fragment));
     composeMasses(set_.fragments);
+    const glm::dvec3 center(set_.fragments[0].centerOfMass);
+    massMoments_.reserve(set_.fragments.size());
+    for (const Fragment& fragment : set_.fragments)
+        massMoments_.push_back(momentsAbout(center, massOf(fragment)));
     bakeHash_ = hashOf(set_);
     diagonal_ = boundingDiagonal(set_.hullPoints);
 }

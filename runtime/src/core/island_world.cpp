@@ -90,9 +90,10 @@ IslandBody IslandWorld::describe(uint32_t index) const {
     glm::vec3 inertia = first.inertiaDiagonal;
     body.frame = {first.centerOfMass, glm::normalize(first.inertiaOrientation)};
     if (island.fragments.size() > 1) {
-        MassProperties sum;
-        for (const uint32_t fragment : island.fragments)
-            sum = sum + massOf(asset.fragment(fragment));
+        MassMoments moments;
+        for (const uint32_t fragment : island.fragments) moments += asset.massMoments(fragment);
+        const MassProperties sum =
+            propertiesOf(moments, glm::dvec3(asset.fragment(0).centerOfMass));
         const PrincipalInertia principal = principalInertia(sum);
         mass = float(sum.mass);
         inertia = principal.diagonal;

@@ -47,6 +47,35 @@ MassProperties operator+(const MassProperties& a, const MassProperties& b) {
                 pointInertia(b.mass, b.center - center)};
 }
 
+// Second moments and inertia tell the same: the trace of the one less the one is the other.
+MassMoments momentsAbout(const glm::dvec3& point, const MassProperties& mass) {
+    const glm::dvec3 r = mass.center - point;
+    const glm::dmat3& i = mass.inertia;
+    const double half = 0.5 * (i[0][0] + i[1][1] + i[2][2]);
+    MassMoments moments;
+    moments.mass = mass.mass;
+    moments.x = mass.mass * r.x;
+    moments.y = mass.mass * r.y;
+    moments.z = mass.mass * r.z;
+    moments.xx = half - i[0][0] + moments.x * r.x;
+    moments.yy = half - i[1][1] + moments.y * r.y;
+    moments.zz = half - i[2][2] + moments.z * r.z;
+    moments.xy = moments.x * r.y - i[1][0];
+    moments.xz = moments.x * r.z - i[2][0];
+    moments.yz = moments.y * r.z - i[2][1];
+    return moments;
+}
+
+MassProperties propertiesOf(const MassMoments& moments, const glm::dvec3& point) {
+    if (!(moments.mass > 0)) return {};
+    const glm::dvec3 r = glm::dvec3(moments.x, moments.y, moments.z) / moments.mass;
+    const double xx = moments.xx - moments.x * r.x, yy = moments.yy - moments.y * r.y,
+                 zz = moments.zz - moments.z * r.z, xy = moments.xy - moments.x * r.y,
+                 xz = moments.xz - moments.x * r.z, yz = moments.yz - moments.y * r.z;
+    const glm::dmat3 second(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+    return {moments.mass, point + r, glm::dmat3(xx + yy + zz) - second};
+}
+
 /// Jacobi's method: a symmetric 3 x 3 matrix is diagonal after a few sweeps.
 PrincipalInertia principalInertia(const MassProperties& mass) {
     constexpr int kMaxSweeps = 24;

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "sherd/formats/fracture_set.h"
+#include "sherd/runtime/mass_moments.h"
 
 namespace sherd {
 
@@ -25,6 +26,10 @@ MassProperties massOf(const Fragment& fragment);
 
 /// Both as one rigid body (parallel axis theorem).
 MassProperties operator+(const MassProperties& a, const MassProperties& b);
+
+/// About a point, metres, and back.
+MassMoments momentsAbout(const glm::dvec3& point, const MassProperties& mass);
+MassProperties propertiesOf(const MassMoments& moments, const glm::dvec3& point);
 
 PrincipalInertia principalInertia(const MassProperties& mass);
 

@@ -10,6 +10,7 @@
 #include "sherd/formats/fracture_set.h"
 #include "sherd/formats/result.h"
 #include "sherd/runtime/bond_graph.h"
+#include "sherd/runtime/mass_moments.h"
 
 namespace sherd {
 
@@ -44,6 +45,9 @@ class Asset {
     /// The leaves and the bonds that hold them together.
     [[nodiscard]] const BondGraph& graph() const { return graph_; }
 
+    /// About the centre of mass of the whole object, along the object's axes.
+    [[nodiscard]] const MassMoments& massMoments(uint32_t f) const { return massMoments_[f]; }
+
     /// Around a fragment's colliders, object frame.
     struct Box {
         glm::vec3 low, high;
@@ -68,6 +72,7 @@ class Asset {
     std::vector<Range> drawRangesOf_;  ///< per fragment, into drawRanges_
     BondGraph graph_;
     std::vector<Box> boxes_;
+    std::vector<MassMoments> massMoments_;  ///< per fragment
     std::vector<float> breakEnergy_;
     float diagonal_ = 0;
     uint64_t bakeHash_ = 0;
