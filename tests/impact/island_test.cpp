@@ -61,6 +61,36 @@ TEST_CASE("what still holds together stays one body, the largest part the old on
     CHECK(mass == doctest::Approx(6000));
 }
 
+TEST_CASE(
+    "two hits in one substep each break what is near them, though the first opens the object") {
+    BulletWorld bullet;
+    DestructionWorld destruction(bullet.world);
+    // Two rows of eight; the first and the last bond of the lower one are weak, but not so weak
+    // that a hit at the other end would break them.
+    const BoxFracture rows{.size = {8, 2, 1}, .level1 = {8, 2, 1}, .toughness = 1};
+    FractureSet set = makeBoxFracture(rows);
+    const float weak = 0.45F * contactStress(*makeBox(rows), 0, 3);
+    const auto bondOf = [&set](int32_t a, int32_t b) {
+        for (size_t i = 0; i < set.bonds.size(); ++i)
+            if (set.bonds[i].a == a && set.bonds[i].b == b) return uint32_t(i);
+        FAIL("there is no such bond");
+        return uint32_t(0);
+    };
+    const uint32_t left = bondOf(1, 2), right = bondOf(7, 8);
+    for (size_t b = 0; b < set.bonds.size(); ++b)
+        set.bonds[b].strength = b == left || b == right ? weak : 1e12F;
+    const auto asset = Asset::fromFractureSet(std::move(set)).value();
+    const ObjectId wall = destruction.spawn(asset, at(0, 0, 0)).value();
+    for (const float x : {-3.5F, 3.5F})
+        bullet.addBall(0.2F, 50, btVector3(x, -2, 0), btVector3(0, 3, 0));
+    std::vector<BreakEvent> events;
+    REQUIRE(stepUntilBreak(bullet, destruction, 60, &events));
+    CHECK(events.size() == 2);
+    CHECK(destruction.bodyCount() == 1);
+    CHECK(destruction.structure(wall)->isBroken(left));
+    CHECK(destruction.structure(wall)->isBroken(right));
+}
+
 TEST_CASE("a crack that separates nothing changes neither pose nor velocity, to the bit") {
     BulletWorld bullet;
     DestructionWorld destruction(bullet.world);

@@ -49,7 +49,7 @@ float takeEnergy(btCollisionObject& a, btCollisionObject& b, const btVector3& po
 struct Breaker::Strike {
     size_t pair;
     std::array<btCollisionObject*, 2> bodies{};
-    std::array<int, 2> children{};  ///< of their shapes
+    std::array<uint32_t, 2> fragments{};
     btVector3 point{0, 0, 0};
     btVector3 normal{0, 0, 0};  ///< from bodies[1] to bodies[0]
 };
@@ -78,7 +78,11 @@ void Breaker::findMeetings() {
             return velocityAt(*contacts_.body(index), contacts_.motionBefore(index), pair.point) -
                    contacts_.pushOfForces(index);
         };
-        Meeting meeting{p, {}, 0};
+        Meeting meeting{p, {}, 0, {}};
+        if (islands[0] != kNoIsland)
+            meeting.fragments[0] = bodies_.fragmentOf(islands[0], pair.childA);
+        if (islands[1] != kNoIsland)
+            meeting.fragments[1] = bodies_.fragmentOf(islands[1], pair.childB);
         Contact& contact = meeting.contact;
         contact.approachSpeed = -(velocity(pair.a) - velocity(pair.b)).dot(pair.normal);
         contact.effectiveMass = effectiveMass(a, b, pair.point, pair.normal);
@@ -102,7 +106,7 @@ void Breaker::applyMeeting(const Meeting& meeting) {
     const SolvedPair& pair = contacts_.pairs()[meeting.pair];
     Strike strike{meeting.pair,
                   {contacts_.body(pair.a), contacts_.body(pair.b)},
-                  {pair.childA, pair.childB},
+                  meeting.fragments,
                   pair.point,
                   pair.normal};
     if (!strike.bodies[0] || !strike.bodies[1]) return;  // came apart by a harder hit just now
@@ -116,8 +120,8 @@ void Breaker::applyMeeting(const Meeting& meeting) {
         const uint32_t island = bodies_.islandOf(*strike.bodies[side]);
         if (island == kNoIsland) return HUGE_VALF;
         const IslandWorld::Object& object = islands_.objectOf(island);
-        const uint32_t fragment = bodies_.fragmentOf(island, strike.children[side]);
-        return object.asset->fragment(fragment).strength * object.damage.strengthScale;
+        return object.asset->fragment(strike.fragments[side]).strength *
+               object.damage.strengthScale;
     };
     const uint32_t weaker = strengthOf(1) < strengthOf(0) ? 1 : 0;
     float surplus = 0;
@@ -132,7 +136,7 @@ void Breaker::applyMeeting(const Meeting& meeting) {
 float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact, float energy,
                           float& surplus) {
     const uint32_t island = bodies_.islandOf(*strike.bodies[side]);
-    const uint32_t fragment = bodies_.fragmentOf(island, strike.children[side]);
+    const uint32_t fragment = strike.fragments[side];
     const uint32_t object = islands_.island(island).object;
     const HitResult& hit =
         islands_.strike(island, fragment, toGlm(strike.point), energy, contact.approachSpeed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "bullet/bullet_bodies.h"
@@ -23,6 +24,7 @@ class Breaker {
         size_t pair;
         Contact contact;
         float energy;
+        std::array<uint32_t, 2> fragments;  ///< struck; shapes may change before their turn
     };
     struct Strike;
 

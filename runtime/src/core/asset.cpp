@@ -176,6 +176,10 @@ Result<std::shared_ptr<const Asset>> Asset::fromFractureSet(FractureSet set) {
     }
 }
 
+float Asset::distance(const Box& box, const glm::vec3& point) {
+    return glm::distance(point, glm::clamp(point, box.low, box.high));
+}
+
 std::span<const DrawRange> Asset::drawRanges(uint32_t f) const {
     const Range range = drawRangesOf_[f];
     return std::span<const DrawRange>(drawRanges_).subspan(range.first, range.count);

@@ -3,10 +3,12 @@
 // bonds between two standing fragments fail as one.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "core/bond_price.h"
 #include "sherd/runtime/structure.h"
@@ -16,12 +18,10 @@ namespace {
 
 /// All that is left of the bonds between two fragments, or of one and the world.
 struct Seam {
-    uint32_t a, b;
-    float energy = 0;    ///< that breaking it would consume, J
-    float area = 0;      ///< m^2
-    float strength = 0;  ///< of its weakest bond, Pa
-    double need = 0;     ///< the factor from which it breaks
-    float near = 0;      ///< how near it is: 1 at the point, falling with distance
+    uint32_t a = 0, b = 0;
+    float energy = 0;  ///< that breaking it would consume, J
+    float area = 0;    ///< m^2
+    float near = 0;    ///< how near it is: 1 at the point, falling with distance
     uint32_t firstBond = 0, bondCount = 0;
 };
 
@@ -34,6 +34,8 @@ struct Crossing {
 struct HitSolver::Scratch {
     std::vector<Seam> seams;      ///< that fail at this stress
     std::vector<uint32_t> bonds;  ///< of the seams
+    /// Of every seam the factor from which it breaks, a heap: the least in front.
+    std::vector<std::pair<double, uint32_t>> needs;
     std::vector<Crossing> crossings;
     std::vector<uint32_t> front;  ///< fragments reached, in that order
     /// Per fragment: the round in which it was reached, and the one in which its seams were found.
@@ -52,6 +54,7 @@ struct HitSolver::Scratch {
         }
         seams.clear();
         bonds.clear();
+        needs.clear();
         front.clear();
     }
     void reach(uint32_t fragment) {
@@ -108,6 +111,9 @@ class Spreading {
     void addSeamsOf(uint32_t side);
     bool breakSeams(float& left, HitResult& result);
     uint32_t childAt(uint32_t fragment) const;
+    std::span<const uint32_t> bondsOf(const Seam& seam) const {
+        return std::span(scratch_.bonds).subspan(seam.firstBond, seam.bondCount);
+    }
 
     Structure& structure_;
     const BondGraph& graph_;
@@ -137,7 +143,7 @@ void Spreading::findSeams(uint32_t target) {
 }
 
 void Spreading::addSeamsOf(uint32_t side) {
-    auto& [seams, bonds, crossings, front, reached, done, round] = scratch_;
+    auto& [seams, bonds, needs, crossings, front, reached, done, round] = scratch_;
     done[side] = round;
     crossings.clear();
     const Range leaves = graph_.leavesOf(side);
@@ -155,24 +161,23 @@ void Spreading::addSeamsOf(uint32_t side) {
     });
     for (size_t i = 0; i < crossings.size();) {
         const uint32_t other = crossings[i].other;
-        Seam seam{side, other};
-        seam.firstBond = uint32_t(bonds.size());
-        seam.strength = HUGE_VALF;
+        const auto firstBond = uint32_t(bonds.size());
+        float area = 0, energy = 0, strength = HUGE_VALF, near = 0;
         for (; i < crossings.size() && crossings[i].other == other; ++i) {
             const uint32_t b = crossings[i].bond;
             const BondGraph::Bond& bond = graph_.bond(b);
-            seam.area += bond.area;
-            seam.energy += priceOf(structure_.asset(), bond, options_) * structure_.health(b);
-            seam.strength = std::min(seam.strength, strengthOf(structure_.asset(), bond, options_));
-            seam.near = std::max(seam.near, nearness(bond.centroid));
+            area += bond.area;
+            energy += priceOf(structure_.asset(), bond, options_) * structure_.health(b);
+            strength = std::min(strength, strengthOf(structure_.asset(), bond, options_));
+            near = std::max(near, nearness(bond.centroid));
             bonds.push_back(b);
         }
-        seam.bondCount = uint32_t(bonds.size()) - seam.firstBond;
-        if (!(hit_.stress * seam.near > seam.strength)) {
-            bonds.resize(seam.firstBond);
+        if (!(hit_.stress * near > strength)) {
+            bonds.resize(firstBond);
             continue;
         }
-        seams.push_back(seam);
+        seams.push_back(
+            {side, other, energy, area, near, firstBond, uint32_t(bonds.size()) - firstBond});
         if (other != kNone) scratch_.reach(other);
     }
 }
@@ -191,23 +196,23 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
     const auto weight = [](const Seam& seam) {
         return double(seam.near) * double(seam.near) * double(seam.area);
     };
-    for (Seam& seam : scratch_.seams)
-        seam.need = seam.energy > 0 ? double(seam.energy) / weight(seam) : 0.0;
-    std::sort(scratch_.seams.begin(), scratch_.seams.end(), [](const Seam& x, const Seam& y) {
-        return std::tie(x.need, x.firstBond) < std::tie(y.need, y.firstBond);
-    });
+    auto& [seams, bonds, needs, crossings, front, reached, done, round] = scratch_;
     double weights = 0;
-    for (const Seam& seam : scratch_.seams) weights += weight(seam);
+    for (uint32_t s = 0; s < seams.size(); ++s) {
+        const double its = weight(seams[s]);
+        weights += its;
+        needs.emplace_back(seams[s].energy > 0 ? double(seams[s].energy) / its : 0.0, s);
+    }
+    std::make_heap(needs.begin(), needs.end(), std::greater<>());
     bool opens = false;
-    size_t broken = 0;
     double rest = double(left);
-    for (; broken < scratch_.seams.size(); ++broken) {
-        const Seam& seam = scratch_.seams[broken];
-        if (seam.need * weights > rest) break;
+    while (!needs.empty() && needs.front().first * weights <= rest) {
+        const Seam& seam = seams[needs.front().second];
+        std::pop_heap(needs.begin(), needs.end(), std::greater<>());
+        needs.pop_back();
         rest -= double(seam.energy);
         weights -= weight(seam);
-        for (uint32_t i = 0; i < seam.bondCount; ++i) {
-            const uint32_t b = scratch_.bonds[seam.firstBond + i];
+        for (const uint32_t b : bondsOf(seam)) {
             structure_.breakBond(b);
             result.bonds.push_back(b);
             result.area += graph_.bond(b).area;
@@ -216,16 +221,15 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
         }
         opens = opens || isInside(seam);
     }
-    if (broken < scratch_.seams.size() && weights > 0) {
+    if (!needs.empty() && weights > 0) {
         const double factor = rest / weights;
-        for (size_t s = broken; s < scratch_.seams.size(); ++s) {
-            if (!(scratch_.seams[s].energy > 0)) continue;
-            const double taken = factor * weight(scratch_.seams[s]);
-            const auto share = float(taken / double(scratch_.seams[s].energy));  // of what is left
-            for (uint32_t i = 0; i < scratch_.seams[s].bondCount; ++i) {
-                const uint32_t b = scratch_.bonds[scratch_.seams[s].firstBond + i];
+        for (const auto& need : needs) {
+            const Seam& seam = seams[need.second];
+            if (!(seam.energy > 0)) continue;
+            const auto share =
+                float(factor * weight(seam) / double(seam.energy));  // of what is left
+            for (const uint32_t b : bondsOf(seam))
                 structure_.weaken(b, share * structure_.health(b));
-            }
         }
         rest = 0;
     }
@@ -253,9 +257,7 @@ uint32_t Spreading::childAt(uint32_t fragment) const {
     uint32_t nearest = children.first;
     auto least = std::pair(HUGE_VALF, HUGE_VALF);
     for (uint32_t c = children.first; c < children.first + children.count; ++c) {
-        const auto& [low, high] = asset.box(c);
-        const glm::vec3 off = hit_.point - glm::clamp(hit_.point, low, high);
-        const std::pair distance(glm::dot(off, off),
+        const std::pair distance(Asset::distance(asset.box(c), hit_.point),
                                  glm::distance(hit_.point, asset.fragment(c).centerOfMass));
         if (!(distance < least)) continue;
         least = distance;

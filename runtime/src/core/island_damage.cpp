@@ -18,13 +18,28 @@ bool IslandWorld::canTakeDamage(uint32_t index, float energy, float impulse) con
            isBreakable(*object.asset, island.fragments.front(), damage);
 }
 
+/// The island's fragment whose colliders' box is nearest to a point of the object's frame.
+uint32_t IslandWorld::fragmentNear(uint32_t index, const glm::vec3& point) const {
+    const Island& island = islands_[index];
+    const Asset& asset = *objects_[island.object].asset;
+    uint32_t nearest = island.fragments.front();
+    float least = HUGE_VALF;
+    for (const uint32_t fragment : island.fragments) {
+        const float off = Asset::distance(asset.box(fragment), point);
+        if (!(off < least)) continue;
+        least = off;
+        nearest = fragment;
+    }
+    return nearest;
+}
+
 const HitResult& IslandWorld::strike(uint32_t index, uint32_t fragment, const glm::vec3& point,
                                      float energy, float approachSpeed) {
     const Object& object = objects_[islands_[index].object];
     const RigidPose objectToWorld = bodies_.motion(index).pose * inverse(islands_[index].frame);
     Hit hit;
-    hit.fragment = fragment;
     hit.point = inverse(objectToWorld) * point;
+    hit.fragment = object.structure->stands(fragment) ? fragment : fragmentNear(index, hit.point);
     hit.energy = energy;
     hit.stress = contactStress(*object.asset, fragment, approachSpeed);
     solver_.apply(*object.structure, hit, object.damage, hit_);

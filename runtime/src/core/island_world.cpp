@@ -131,7 +131,7 @@ IslandWorld::Change IslandWorld::regroup(uint32_t index) {
         fragments[i] = children.first;
         for (uint32_t c = 1; c < children.count; ++c) fragments.push_back(children.first + c);
     }
-    std::sort(fragments.begin(), fragments.end());
+    if (change_ == Change::finer) std::sort(fragments.begin(), fragments.end());
     groups_.find(structure, fragments);
     const auto groups = groups_.islands();
     if (groups.size() > 1 || island.isAnchored != groups[0].anchored) change_ = Change::apart;

@@ -2,6 +2,7 @@
 #include "sherd/runtime/structure.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sherd {
 
@@ -45,43 +46,61 @@ void Structure::open(uint32_t fragment) {
 }
 
 void IslandFinder::find(const Structure& structure, std::span<const uint32_t> fragments) {
-    const BondGraph& graph = structure.graph();
     islands_.clear();
-    fragments_.clear();
+    front_.clear();
     if (state_.size() < structure.asset().fragmentCount() || round_ > UINT32_MAX - 2) {
         state_.assign(std::max<size_t>(structure.asset().fragmentCount(), state_.size()), 0);
+        label_.resize(state_.size());
         round_ = 0;
     }
-    const uint32_t sought = ++round_, found = ++round_;
+    const uint32_t sought = ++round_;
+    ++round_;
     for (const uint32_t fragment : fragments) state_[fragment] = sought;
-    for (const uint32_t start : fragments) {
-        if (state_[start] != sought) continue;
-        Island& island = islands_.emplace_back();
-        island.fragments.first = uint32_t(fragments_.size());
-        state_[start] = found;
-        fragments_.push_back(start);
-        for (size_t next = island.fragments.first; next < fragments_.size(); ++next) {
-            const uint32_t fragment = fragments_[next];
-            island.mass += double(structure.asset().fragment(fragment).mass);
-            const Range leaves = graph.leavesOf(fragment);
-            for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
-                island.anchored = island.anchored || structure.isPinned(leaf);
-                for (const BondGraph::Edge& edge : graph.edgesOf(leaf)) {
-                    if (structure.isBroken(edge.bond)) continue;
-                    if (edge.other == BondGraph::kWorld) {
-                        island.anchored = true;
-                        continue;
-                    }
-                    const uint32_t other = structure.fragmentAt(edge.other);
-                    if (state_[other] != sought) continue;
-                    state_[other] = found;
-                    fragments_.push_back(other);
+    for (const uint32_t start : fragments)
+        if (state_[start] == sought) flood(structure, start, sought);
+    // Sharing them out in their order sorts those of every island.
+    uint32_t first = 0;
+    for (Island& island : islands_) {
+        island.fragments.first = first;
+        first += std::exchange(island.fragments.count, 0);
+    }
+    fragments_.resize(fragments.size());
+    for (const uint32_t fragment : fragments) {
+        Range& range = islands_[label_[fragment]].fragments;
+        fragments_[range.first + range.count++] = fragment;
+    }
+}
+
+/// Breadth first through bonds that hold, from a fragment whose island is not known yet.
+void IslandFinder::flood(const Structure& structure, uint32_t start, uint32_t sought) {
+    const BondGraph& graph = structure.graph();
+    const auto label = uint32_t(islands_.size());
+    Island& island = islands_.emplace_back();
+    const auto reach = [&](uint32_t fragment) {
+        state_[fragment] = sought + 1;
+        label_[fragment] = label;
+        front_.push_back(fragment);
+    };
+    const auto first = uint32_t(front_.size());
+    reach(start);
+    for (size_t next = first; next < front_.size(); ++next) {
+        const uint32_t fragment = front_[next];
+        island.mass += double(structure.asset().fragment(fragment).mass);
+        const Range leaves = graph.leavesOf(fragment);
+        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+            island.anchored = island.anchored || structure.isPinned(leaf);
+            for (const BondGraph::Edge& edge : graph.edgesOf(leaf)) {
+                if (structure.isBroken(edge.bond)) continue;
+                if (edge.other == BondGraph::kWorld) {
+                    island.anchored = true;
+                } else if (const uint32_t other = structure.fragmentAt(edge.other);
+                           state_[other] == sought) {
+                    reach(other);
                 }
             }
         }
-        island.fragments.count = uint32_t(fragments_.size()) - island.fragments.first;
-        std::sort(fragments_.begin() + island.fragments.first, fragments_.end());
     }
+    island.fragments.count = uint32_t(front_.size()) - first;
 }
 
 }  // namespace sherd

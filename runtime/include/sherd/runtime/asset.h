@@ -52,6 +52,8 @@ class Asset {
     struct Box {
         glm::vec3 low, high;
     };
+    /// Metres; 0 inside.
+    static float distance(const Box& box, const glm::vec3& point);
     [[nodiscard]] const Box& box(uint32_t f) const { return boxes_[f]; }
 
     /// Energy that breaking every bond among the children of f would consume at dissipation 1: the

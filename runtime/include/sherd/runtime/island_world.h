@@ -112,7 +112,8 @@ class IslandWorld {
     /// Whether a hit like that could do anything to the island.
     [[nodiscard]] bool canTakeDamage(uint32_t island, float energy, float impulse) const;
     /// Lets a hit at a world point on one of the island's fragments do its damage; nothing moves
-    /// yet. Returns what was broken; valid until the next call.
+    /// yet. A fragment that was opened since it was hit passes the hit on to the part at the point.
+    /// Returns what was broken; valid until the next call.
     const HitResult& strike(uint32_t island, uint32_t fragment, const glm::vec3& point,
                             float energy, float approachSpeed);
     enum class Change {
@@ -176,6 +177,7 @@ class IslandWorld {
   private:
     uint32_t takeIsland();
     [[nodiscard]] IslandBody describe(uint32_t island) const;
+    [[nodiscard]] uint32_t fragmentNear(uint32_t island, const glm::vec3& point) const;
     void create(IslandBody body);
     void removeIslands(Object& object);
     void settle(uint32_t island, uint32_t fragment, BreakEvent event);

@@ -64,7 +64,7 @@ class IslandFinder {
         bool anchored = false;  ///< by a bond to the world that is not broken, or a pin
         double mass = 0;        ///< kg
     };
-    /// Of these, all standing; bonds to others do not count.
+    /// Of these, all standing, ascending; bonds to others do not count.
     void find(const Structure& structure, std::span<const uint32_t> fragments);
 
     /// In the order of their first fragments.
@@ -75,9 +75,13 @@ class IslandFinder {
     }
 
   private:
+    void flood(const Structure& structure, uint32_t start, uint32_t sought);
+
     std::vector<Island> islands_;
     std::vector<uint32_t> fragments_;
+    std::vector<uint32_t> front_;  ///< those reached, in that order
     std::vector<uint32_t> state_;  ///< per fragment of the asset: the round it is sought, or found
+    std::vector<uint32_t> label_;  ///< and the island it was found in
     uint32_t round_ = 0;
 };
 
