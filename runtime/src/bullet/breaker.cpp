@@ -54,9 +54,12 @@ struct Breaker::Strike {
     btVector3 normal{0, 0, 0};  ///< from bodies[1] to bodies[0]
 };
 
-void Breaker::step(float dt, bool inStep) {
-    contacts_.gather(world_, dt, inStep, islands_.leastEnergy());
+void Breaker::measure(float dt, bool inStep) {
+    contacts_.gather(world_, dt, inStep, std::min(islands_.leastEnergy(), leastImpact_));
     findMeetings();
+}
+
+void Breaker::breakWhatIsHit() {
     for (const Meeting& meeting : meetings_) applyMeeting(meeting);
 }
 
@@ -92,11 +95,26 @@ void Breaker::findMeetings() {
         const Contact rest = contactNow(a, b, pair.point, pair.normal);
         if (pair.gap > 0 && rest.approachSpeed > 0) contact.impulse += rest.impulse;
         meeting.energy = contactEnergy(contact);
+        if (meeting.energy >= leastImpact_) listImpact(meeting);
         if (canTakeDamage(islands[0], meeting) || canTakeDamage(islands[1], meeting))
             meetings_.push_back(meeting);
     }
     std::stable_sort(meetings_.begin(), meetings_.end(),
                      [](const Meeting& x, const Meeting& y) { return x.energy > y.energy; });
+}
+
+void Breaker::listImpact(const Meeting& meeting) {
+    const SolvedPair& pair = contacts_.pairs()[meeting.pair];
+    ReportedHit hit;
+    hit.point = toGlm(pair.point);
+    hit.energy = meeting.energy;
+    hit.speed = meeting.contact.approachSpeed;
+    hit.impulse = meeting.contact.impulse;
+    for (const uint32_t side : {0U, 1U}) {
+        const uint32_t island = bodies_.islandOf(*contacts_.body(side == 0 ? pair.a : pair.b));
+        hit.normal = toGlm(side == 0 ? pair.normal : -pair.normal);
+        if (island != kNoIsland) islands_.addImpact(island, meeting.fragments[side], hit);
+    }
 }
 
 /// The weaker side takes damage first, the other from what is left. If something comes apart, the

@@ -13,11 +13,15 @@ namespace sherd {
 /// apart takes the contact back.
 class Breaker {
   public:
-    Breaker(btDynamicsWorld& world, BulletBodies& bodies, IslandWorld& islands)
-        : world_(world), bodies_(bodies), islands_(islands) {}
+    /// `leastImpact`: energy from which impacts are listed, J.
+    Breaker(btDynamicsWorld& world, BulletBodies& bodies, IslandWorld& islands, float leastImpact)
+        : world_(world), bodies_(bodies), islands_(islands), leastImpact_(leastImpact) {}
 
     /// Call when a substep has been solved and integrated. `inStep`: from within stepSimulation.
-    void step(float dt, bool inStep);
+    /// Lists impacts.
+    void measure(float dt, bool inStep);
+    /// Lets the hits just measured do what they do.
+    void breakWhatIsHit();
 
   private:
     struct Meeting {
@@ -29,6 +33,7 @@ class Breaker {
     struct Strike;
 
     void findMeetings();
+    void listImpact(const Meeting& meeting);
     void applyMeeting(const Meeting& meeting);
     [[nodiscard]] bool canTakeDamage(uint32_t island, const Meeting& meeting) const;
     float strikeSide(Strike& strike, uint32_t side, const Contact& contact, float energy,
@@ -37,6 +42,7 @@ class Breaker {
     btDynamicsWorld& world_;
     BulletBodies& bodies_;
     IslandWorld& islands_;
+    float leastImpact_;
     SolvedContacts contacts_;
     std::vector<Meeting> meetings_;
 };

@@ -93,7 +93,7 @@ class DestructionWorld::Impl final : public btActionInterface {
           settings(options),
           bodies(bullet, options.overlapTolerance),
           islands(bodies, options.maxPendingEvents),
-          breaker(bullet, bodies, islands) {
+          breaker(bullet, bodies, islands, options.leastImpact) {
         if (settings.drive == Drive::action) world.addAction(this);
     }
     ~Impl() override {
@@ -111,9 +111,11 @@ class DestructionWorld::Impl final : public btActionInterface {
         islands.setTime(islands.time() + double(dt));
         bodies.released().releaseSeparated();
         const bool isTouchable = bodies.readPoses(islands);
-        if (!isTouchable || !settings.authority) return;
+        if (!isTouchable) return;
+        breaker.measure(dt, inStep);
+        if (!settings.authority) return;
         bodies.setInStep(inStep);
-        breaker.step(dt, inStep);
+        breaker.breakWhatIsHit();
         islands.workOnStress(toGlm(world.getGravity()), settings.stressIterations);
         bodies.setInStep(false);
         bodies.released().settle();
@@ -256,8 +258,9 @@ Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const R
         return fail(ErrorCode::badArgument,
                     "place and direction must be finite, energy, speed and impulse not negative",
                     "hit");
-    const float consumed =
-        impl_->islands.takeHit(island, impl_->bodies.fragmentOf(island, child), hit);
+    const uint32_t fragment = impl_->bodies.fragmentOf(island, child);
+    if (hit.energy >= impl_->settings.leastImpact) impl_->islands.addImpact(island, fragment, hit);
+    const float consumed = impl_->islands.takeHit(island, fragment, hit);
     impl_->bodies.released().settle();
     return consumed;
 }
@@ -329,6 +332,18 @@ void DestructionWorld::afterStep(float dt) {
 
 std::span<const FragmentPose> DestructionWorld::poses() const {
     return impl_->islands.poses();
+}
+
+std::span<const Range> DestructionWorld::changedPoses() {
+    return impl_->islands.changedPoses();
+}
+
+std::span<const ImpactEvent> DestructionWorld::impacts() {
+    return impl_->islands.takeImpacts();
+}
+
+std::span<const IslandEvent> DestructionWorld::islandEvents() {
+    return impl_->islands.takeIslandEvents();
 }
 
 std::span<const BreakEvent> DestructionWorld::events() {

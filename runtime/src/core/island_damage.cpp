@@ -46,19 +46,6 @@ const HitResult& IslandWorld::strike(uint32_t index, uint32_t fragment, const gl
     return hit_;
 }
 
-void IslandWorld::addEvent(BreakEvent event, uint32_t index, uint32_t bodies) {
-    const uint32_t object = islands_[index].object;
-    event.object = idOf(object);
-    event.asset = objects_[object].asset.get();
-    event.level = hit_.level;
-    event.bonds = uint32_t(hit_.bonds.size());
-    event.area = hit_.area;
-    event.consumed = hit_.consumed;
-    event.bodies = bodies;
-    event.time = time_;
-    if (pending_.size() < maxPendingEvents_) pending_.push_back(event);
-}
-
 /// What `hit_` has broken comes apart.
 void IslandWorld::settle(uint32_t island, uint32_t fragment, BreakEvent event) {
     event.fragment = fragment;

@@ -50,7 +50,8 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     return idOf(index);
 }
 
-void IslandWorld::removeIslands(Object& object) {
+void IslandWorld::removeIslands(uint32_t index) {
+    Object& object = objects_[index];
     for (const uint32_t island : object.islands) {
         bodies_.remove(island);
         islands_[island].isAlive = false;
@@ -62,12 +63,12 @@ void IslandWorld::removeIslands(Object& object) {
     // Backwards, so that the slots are handed out again in the order they were given up.
     freeIslands_.insert(freeIslands_.end(), object.islands.rbegin(), object.islands.rend());
     object.islands.clear();
-    posesListed_ = false;
+    poses_.noteRegrouped(index);
 }
 
 void IslandWorld::remove(uint32_t index) {
     Object& object = objects_[index];
-    removeIslands(object);
+    removeIslands(index);
     object.asset.reset();
     object.structure.reset();
     ++object.generation;
@@ -113,7 +114,7 @@ void IslandWorld::create(IslandBody body) {
     if (island.isFixed) body.motion = {};
     body.motion.pose = island.pose * body.frame;
     bodies_.create(body);
-    posesListed_ = false;
+    poses_.noteRegrouped(island.object);
 }
 
 IslandWorld::Change IslandWorld::regroup(uint32_t index) {
@@ -163,6 +164,8 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
             island.fragments.assign(fragments.begin(), fragments.end());
             island.isAnchored = groups[group].anchored;
         };
+        const bool wasFixed = islands_[index].isFixed;
+        const uint32_t from = islands_[index].fragments.front();
         for (size_t g = 0; g < groups.size(); ++g) {
             if (g == heaviest) continue;
             const uint32_t slot = takeIsland();
@@ -177,6 +180,8 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
             IslandBody body = describe(slot);
             body.motion = motionAt((island.pose * body.frame).translation);
             create(body);
+            body.motion.pose = islands_[slot].pose * body.frame;
+            addIslandEvent(body, from);
             split_.push_back(slot);
         }
         Island& kept = islands_[index];
@@ -193,9 +198,10 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
             body.motion.pose = pose;
         }
         bodies_.update(body);
+        if (wasFixed && !kept.isFixed) addIslandEvent(body, body.fragments.front());
         bodies_.afterSplit(index, split_);
         for (const uint32_t i : split_) strain(i);
-        posesListed_ = false;
+        poses_.noteRegrouped(kept.object);
 
         std::vector<uint32_t>& islands = objects_[kept.object].islands;
         islands.insert(islands.end(), split_.begin() + 1, split_.end());
@@ -212,7 +218,7 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
 void IslandWorld::replace(uint32_t index, Structure&& structure,
                           std::vector<SavedIsland>&& islands) {
     Object& object = objects_[index];
-    removeIslands(object);
+    removeIslands(index);
     *object.structure = std::move(structure);
     for (SavedIsland& from : islands) {
         const uint32_t slot = takeIsland();
@@ -236,30 +242,11 @@ void IslandWorld::moveTo(uint32_t index, const RigidPose& pose) {
     Island& island = islands_[index];
     island.previous = island.pose;
     island.pose = pose;
-    posesListed_ = false;
+    poses_.noteMoved(island.object);
 }
 
 void IslandWorld::follow(uint32_t island) {
     moveTo(island, bodies_.motion(island).pose * inverse(islands_[island].frame));
-}
-
-std::span<const FragmentPose> IslandWorld::poses() {
-    if (posesListed_) return poses_;
-    poses_.clear();
-    for (uint32_t o = 0; o < objects_.size(); ++o) {
-        const size_t first = poses_.size();
-        for (const uint32_t i : objects_[o].islands) {
-            const Island& island = islands_[i];
-            for (const uint32_t fragment : island.fragments)
-                poses_.push_back(
-                    {idOf(o), objects_[o].asset.get(), fragment, island.pose, island.previous});
-        }
-        std::sort(
-            poses_.begin() + std::ptrdiff_t(first), poses_.end(),
-            [](const FragmentPose& x, const FragmentPose& y) { return x.fragment < y.fragment; });
-    }
-    posesListed_ = true;
-    return poses_;
 }
 
 bool IslandWorld::isAlive(ObjectId id) const {
@@ -277,12 +264,6 @@ uint32_t IslandWorld::findIsland(uint32_t object, uint32_t fragment) const {
         if (std::binary_search(fragments.begin(), fragments.end(), fragment)) return island;
     }
     return UINT32_MAX;
-}
-
-std::span<const BreakEvent> IslandWorld::takeEvents() {
-    taken_.swap(pending_);
-    pending_.clear();
-    return taken_;
 }
 
 }  // namespace sherd

@@ -24,6 +24,7 @@ struct BreakEvent {
     ObjectId object;
     const Asset* asset = nullptr;
     uint32_t fragment = 0;    ///< that was struck, or broken by the game
+    float size = 0;           ///< of that fragment, across its colliders' box, metres
     uint32_t level = 0;       ///< the deepest at which something broke
     uint32_t bonds = 0;       ///< broken
     float area = 0;           ///< of them, m^2
@@ -35,6 +36,36 @@ struct BreakEvent {
     float consumed = 0;       ///< of it, used up by breaking, J
     float approachSpeed = 0;  ///< along the normal before the contact, m/s
     double time = 0;          ///< simulated seconds since the DestructionWorld was made
+};
+
+/// Something met an object, whether it broke anything or not: for sounds, dust and scratches. What
+/// the piece is made of, and of which level, `asset->fragment(fragment)` tells.
+struct ImpactEvent {
+    ObjectId object;
+    const Asset* asset = nullptr;
+    uint32_t fragment = 0;    ///< that was struck
+    float size = 0;           ///< of it, across its colliders' box, metres
+    glm::vec3 point{0.0F};    ///< world, metres
+    glm::vec3 normal{0.0F};   ///< unit, pointing into the object
+    float impulse = 0;        ///< along the normal, N s
+    float energy = 0;         ///< that a plastic impact would consume, J
+    float approachSpeed = 0;  ///< along the normal before the contact, m/s
+    double time = 0;          ///< simulated seconds since the DestructionWorld was made
+};
+
+/// A part of an object is a body of its own now, or one that stood fixed is free.
+struct IslandEvent {
+    ObjectId object;
+    const Asset* asset = nullptr;
+    uint32_t fragment = 0;   ///< the first of it, which names it; its level and material are there
+    uint32_t fragments = 0;  ///< that hold together in it
+    uint32_t from = 0;       ///< the first fragment of what it came off; its own: it was let go
+    bool isFixed = false;    ///< by an anchor
+    float mass = 0;          ///< kg
+    float size = 0;          ///< across the box around it, metres
+    glm::vec3 center{0.0F};  ///< of mass, world
+    glm::vec3 velocity{0.0F};  ///< of it, m/s
+    double time = 0;
 };
 
 /// One thing to draw. Poses map the asset's vertices (object frame) to the world.

@@ -12,7 +12,9 @@
 #include "sherd/runtime/area_damage.h"
 #include "sherd/runtime/asset.h"
 #include "sherd/runtime/damage.h"
+#include "sherd/runtime/event_list.h"
 #include "sherd/runtime/events.h"
+#include "sherd/runtime/pose_list.h"
 #include "sherd/runtime/stress.h"
 #include "sherd/runtime/structure.h"
 
@@ -69,7 +71,10 @@ class BodyTable {
 class IslandWorld {
   public:
     explicit IslandWorld(BodyTable& bodies, uint32_t maxPendingEvents = 65536)
-        : bodies_(bodies), maxPendingEvents_(maxPendingEvents) {}
+        : bodies_(bodies),
+          breaks_(maxPendingEvents),
+          impacts_(maxPendingEvents),
+          born_(maxPendingEvents) {}
     ~IslandWorld() = default;
     IslandWorld(const IslandWorld&) = delete;
     IslandWorld& operator=(const IslandWorld&) = delete;
@@ -104,8 +109,13 @@ class IslandWorld {
     void moveTo(uint32_t island, const RigidPose& pose);
     /// Asks the engine where the island is.
     void follow(uint32_t island);
-    void stayPut(uint32_t island) { islands_[island].previous = islands_[island].pose; }
-    std::span<const FragmentPose> poses();
+    void stayPut(uint32_t island) {
+        islands_[island].previous = islands_[island].pose;
+        poses_.noteMoved(islands_[island].object);
+    }
+    std::span<const FragmentPose> poses() { return poses_.list(*this); }
+    /// The runs of `poses` that are not what they were when this was called last.
+    std::span<const Range> changedPoses() { return poses_.takeChanges(*this); }
 
     /// Below it no hit does anything to any object there ever was, J.
     [[nodiscard]] float leastEnergy() const { return leastEnergy_; }
@@ -158,7 +168,11 @@ class IslandWorld {
     /// In place of what the object was. Fires nothing. The islands must share out what stands.
     void replace(uint32_t object, Structure&& structure, std::vector<SavedIsland>&& islands);
 
-    std::span<const BreakEvent> takeEvents();
+    std::span<const BreakEvent> takeEvents() { return breaks_.take(); }
+    std::span<const ImpactEvent> takeImpacts() { return impacts_.take(); }
+    std::span<const IslandEvent> takeIslandEvents() { return born_.take(); }
+    /// Lists a hit, that need not break anything, on one of the island's fragments.
+    void addImpact(uint32_t island, uint32_t fragment, const ReportedHit& hit);
 
     [[nodiscard]] bool isAlive(ObjectId id) const;
     [[nodiscard]] ObjectId idOf(uint32_t object) const;
@@ -179,13 +193,16 @@ class IslandWorld {
     [[nodiscard]] IslandBody describe(uint32_t island) const;
     [[nodiscard]] uint32_t fragmentNear(uint32_t island, const glm::vec3& point) const;
     void create(IslandBody body);
-    void removeIslands(Object& object);
+    void removeIslands(uint32_t object);
     void settle(uint32_t island, uint32_t fragment, BreakEvent event);
     void strain(uint32_t island);
     void addEvent(BreakEvent event, uint32_t island, uint32_t bodies);
+    void addIslandEvent(const IslandBody& body, uint32_t from);
 
     BodyTable& bodies_;
-    uint32_t maxPendingEvents_;
+    EventList<BreakEvent> breaks_;
+    EventList<ImpactEvent> impacts_;
+    EventList<IslandEvent> born_;
     double time_ = 0;
     float leastEnergy_ = HUGE_VALF;
     std::vector<Object> objects_;
@@ -206,9 +223,7 @@ class IslandWorld {
     std::vector<uint32_t> strained_;  ///< islands whose bonds carry something else than they did
     uint32_t stressedObject_ = UINT32_MAX;
 
-    std::vector<FragmentPose> poses_;
-    bool posesListed_ = false;
-    std::vector<BreakEvent> pending_, taken_;
+    PoseList poses_;
 };
 
 }  // namespace sherd

@@ -34,7 +34,9 @@ struct WorldOptions {
     uint32_t stressIterations = 4;
     /// False: contacts break nothing by themselves; another world decides, and sends its breaks.
     bool authority = true;
-    /// Break events kept until `events` is called; later ones are dropped. >= 1
+    /// Impacts of at least so much energy are listed by `impacts`, J; infinity: none.
+    float leastImpact = 0.01F;
+    /// Events of each kind kept until they are asked for; later ones are dropped. >= 1
     uint32_t maxPendingEvents = 65536;
 };
 
@@ -124,10 +126,17 @@ class DestructionWorld {
     /// Exactly what to draw: per object either the intact object or the fragments in its place.
     /// Valid until the next substep, spawn, remove or break. Ordered by object, then fragment.
     [[nodiscard]] std::span<const FragmentPose> poses() const;
+    /// The runs of `poses()` that are not what they were when this was called last, ascending: what
+    /// to send to the GPU. Valid as long as the poses.
+    [[nodiscard]] std::span<const Range> changedPoses();
 
     /// The breaks since the last call, in the order they happened; each is listed once.
     /// Valid until the next call.
     std::span<const BreakEvent> events();
+    /// Contacts and reported hits on objects, likewise, whether they broke anything or not.
+    std::span<const ImpactEvent> impacts();
+    /// Bodies that came off, and those let go, likewise; every object spawned is listed by none.
+    std::span<const IslandEvent> islandEvents();
 
     [[nodiscard]] bool isAlive(ObjectId object) const;
 
