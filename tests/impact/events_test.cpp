@@ -145,7 +145,7 @@ TEST_CASE("hits reported by the game are impacts too, and weak ones are left out
 TEST_CASE("every body that comes off is told once, with its mass and where it is") {
     BulletWorld bullet;
     DestructionWorld destruction(bullet.world);
-    const auto asset = makeBox({.level1 = {4, 1, 1}, .center = {2, 0, 0}});
+    const auto asset = makeBox({.size = {4, 1, 1}, .level1 = {4, 1, 1}, .center = {2, 0, 0}});
     const ObjectId bar = destruction.spawn(asset, at(1, 0, 0)).value();
     CHECK(destruction.islandEvents().empty());
     AreaDamage saw;
