@@ -82,7 +82,9 @@ void BulletBodies::update(const IslandBody& island) {
     btRigidBody& body = *slot.body;
     const bool isInWorld = body.isInWorld();
     const bool wasFixed = body.isStaticObject();
-    const btVector3 weight = body.getGravity() * body.getMass();
+    // What slept when the step began got no weight.
+    const bool isWeighed = !body.getTotalForce().isZero();
+    const btVector3 weight = body.getGravity() * (isWeighed ? body.getMass() : 0);
     if (isInWorld) world_.removeRigidBody(&body);
     const std::unique_ptr<IslandShape> old = std::move(slot.shape);
     const auto info = describe(slot, island);
@@ -99,8 +101,10 @@ void BulletBodies::update(const IslandBody& island) {
     // Bullet puts what stands fixed to sleep, and it would hang in the air.
     if (wasFixed && island.mass > 0) body.forceActivationState(ACTIVE_TAG);
     if (isInWorld) addToWorld(slot);
-    if (inStep_ && island.mass > 0)
-        body.applyCentralForce(body.getGravity() * body.getMass() - weight);
+    if (inStep_ && island.mass > 0) {
+        body.applyCentralForce(-weight);
+        body.applyCentralForce(body.getGravity() * body.getMass());
+    }
 }
 
 void BulletBodies::remove(uint32_t island) {
