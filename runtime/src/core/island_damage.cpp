@@ -34,7 +34,7 @@ const HitResult& IslandWorld::strike(uint32_t index, uint32_t fragment, const gl
 void IslandWorld::addEvent(BreakEvent event, uint32_t index, uint32_t bodies) {
     const uint32_t object = islands_[index].object;
     event.object = idOf(object);
-    event.asset = objects_[object].asset.get();
+    event.asset = &objects_[object].asset->original();
     event.level = hit_.level;
     event.bonds = uint32_t(hit_.bonds.size());
     event.area = hit_.area;

@@ -249,9 +249,10 @@ std::span<const FragmentPose> IslandWorld::poses() {
         const size_t first = poses_.size();
         for (const uint32_t i : objects_[o].islands) {
             const Island& island = islands_[i];
+            const Asset& asset = *objects_[o].asset;
             for (const uint32_t fragment : island.fragments)
-                poses_.push_back(
-                    {idOf(o), objects_[o].asset.get(), fragment, island.pose, island.previous});
+                poses_.push_back({idOf(o), &asset.original(), fragment, island.pose,
+                                  island.previous, asset.scale()});
         }
         std::sort(
             poses_.begin() + std::ptrdiff_t(first), poses_.end(),
