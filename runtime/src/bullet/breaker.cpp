@@ -116,7 +116,7 @@ void Breaker::applyMeeting(const Meeting& meeting) {
         const uint32_t island = bodies_.islandOf(*strike.bodies[side]);
         if (island == kNoIsland) return HUGE_VALF;
         const IslandWorld::Object& object = islands_.objectOf(island);
-        const uint32_t fragment = bodies_.fragmentOf(island, strike.children[side]);
+        const uint32_t fragment = bodies_.fragmentAt(island, strike.children[side], strike.point);
         return object.asset->fragment(fragment).strength * object.damage.strengthScale;
     };
     const uint32_t weaker = strengthOf(1) < strengthOf(0) ? 1 : 0;
@@ -132,7 +132,7 @@ void Breaker::applyMeeting(const Meeting& meeting) {
 float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact, float energy,
                           float& surplus) {
     const uint32_t island = bodies_.islandOf(*strike.bodies[side]);
-    const uint32_t fragment = bodies_.fragmentOf(island, strike.children[side]);
+    const uint32_t fragment = bodies_.fragmentAt(island, strike.children[side], strike.point);
     const uint32_t object = islands_.island(island).object;
     const HitResult& hit =
         islands_.strike(island, fragment, toGlm(strike.point), energy, contact.approachSpeed);
@@ -165,6 +165,9 @@ float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact,
         }
         surplus = 0;
         contacts_.forget(side == 0 ? pair.a : pair.b);
+    } else if (bodies_.isAdopted(island)) {
+        const SolvedPair& pair = contacts_.pairs()[strike.pair];
+        contacts_.forget(side == 0 ? pair.a : pair.b);  // it gives way, and may be deleted
     }
     (void)islands_.split(island, event);
     const uint32_t now = islands_.findIsland(object, struck);

@@ -4,24 +4,27 @@
 #include <utility>
 
 #include "bullet/convert.h"
+#include "bullet/point_distance.h"
 
 namespace sherd {
 
 BulletBodies::~BulletBodies() {
-    for (Body& slot : bodies_)
-        if (slot.body && slot.body->isInWorld()) world_.removeRigidBody(slot.body.get());
+    noticeGone();
+    for (uint32_t i = 0; i < bodies_.size(); ++i) {
+        Body& slot = bodies_[i];
+        if (!slot.body) continue;
+        if (isAdopted(i))
+            letGo(i);
+        else if (slot.body->isInWorld())
+            world_.removeRigidBody(slot.body.get());
+    }
 }
 
-void BulletBodies::prepare(const std::shared_ptr<const Asset>& asset) {
-    for (const auto& shapes : shapes_)
-        if (shapes->asset() == asset) return;
-    shapes_.push_back(std::make_unique<FragmentShapes>(asset));
-}
-
-FragmentShapes& BulletBodies::shapesOf(const Asset& asset) const {
-    size_t i = 0;
-    while (shapes_[i]->asset().get() != &asset) ++i;
-    return *shapes_[i];
+void BulletBodies::attach(IslandWorld& islands, std::span<const BodyRule> rules,
+                          GameListener* listener) {
+    islands_ = &islands;
+    rules_ = rules;
+    listener_ = listener;
 }
 
 /// Makes the shape, too, if there is none yet that would do.
@@ -45,8 +48,9 @@ btRigidBody::btRigidBodyConstructionInfo BulletBodies::describe(Body& slot,
     return info;
 }
 
-void BulletBodies::addToWorld(Body& slot) {
-    const Filter filter = filters_[slot.object];
+void BulletBodies::addToWorld(Body& slot, const IslandBody& island) {
+    BodyFilter filter = filters_[slot.object];
+    applyRules(rules_, island.asset->fragment(slot.firstFragment).level, *slot.body, filter);
     if (filter.group == 0 && filter.mask == 0) {
         world_.addRigidBody(slot.body.get());
     } else {
@@ -65,20 +69,33 @@ void BulletBodies::create(const IslandBody& island) {
     if (filters_.size() <= object) filters_.resize(object + 1);
     if (nextFilter_) filters_[object] = *std::exchange(nextFilter_, std::nullopt);
     Body& slot = bodies_[island.island];
-    slot.body = std::make_unique<btRigidBody>(describe(slot, island));
+    if (nextAdopted_) {
+        adopt(slot, island);
+        return;
+    }
+    make(slot, island);
+    addToWorld(slot, island);
+    // Bullet applies gravity once before all substeps of a step and clears it after the last.
+    if (inStep_ && island.mass > 0) slot.body->applyGravity();
+}
+
+void BulletBodies::make(Body& slot, const IslandBody& island) {
+    slot.body = BodyPointer(new OwnBody(describe(slot, island), *this, island.island));
     slot.body->setUserIndex3(int(island.island));
     slot.seen = slot.body->getWorldTransform();
     slot.isStill = false;
     move(*slot.body, island.motion);
-    addToWorld(slot);
-    // Bullet applies gravity once before all substeps of a step and clears it after the last.
-    if (inStep_ && island.mass > 0) slot.body->applyGravity();
 }
 
 /// Out of the world and in again: Bullet sorts bodies into fixed and moving ones when they are
 /// added, and holds contacts of the old shape.
 void BulletBodies::update(const IslandBody& island) {
     Body& slot = bodies_[island.island];
+    if (isAdopted(island.island)) {
+        replaced_ = letGo(island.island);
+        create(island);
+        return;
+    }
     btRigidBody& body = *slot.body;
     const bool isInWorld = body.isInWorld();
     const bool wasFixed = body.isStaticObject();
@@ -100,7 +117,7 @@ void BulletBodies::update(const IslandBody& island) {
     move(body, island.motion);
     // Bullet puts what stands fixed to sleep, and it would hang in the air.
     if (wasFixed && island.mass > 0) body.forceActivationState(ACTIVE_TAG);
-    if (isInWorld) addToWorld(slot);
+    if (isInWorld) addToWorld(slot, island);
     if (inStep_ && island.mass > 0) {
         body.applyCentralForce(-weight);
         body.applyCentralForce(body.getGravity() * body.getMass());
@@ -109,7 +126,12 @@ void BulletBodies::update(const IslandBody& island) {
 
 void BulletBodies::remove(uint32_t island) {
     Body& slot = bodies_[island];
+    if (!slot.body) return;  // the game has deleted it
     released_.forget(island);
+    if (isAdopted(island)) {
+        letGo(island);
+        return;
+    }
     if (slot.body->isInWorld()) world_.removeRigidBody(slot.body.get());
     slot.body.reset();
     slot.shape.reset();
@@ -118,6 +140,15 @@ void BulletBodies::remove(uint32_t island) {
 BodyMotion BulletBodies::motion(uint32_t island) const {
     const btRigidBody& body = *bodies_[island].body;
     BodyMotion motion{toPose(body.getWorldTransform()), {}, {}};
+    if (isAdopted(island)) {
+        const btTransform place = body.getWorldTransform() * bodies_[island].mass;
+        motion.pose = toPose(place);
+        if (body.isStaticObject()) return motion;
+        motion.linearVelocity =
+            toGlm(body.getVelocityInLocalPoint(place.getOrigin() - body.getCenterOfMassPosition()));
+        motion.angularVelocity = toGlm(body.getAngularVelocity());
+        return motion;
+    }
     if (body.isStaticObject()) return motion;
     motion.linearVelocity = toGlm(body.getLinearVelocity());
     motion.angularVelocity = toGlm(body.getAngularVelocity());
@@ -155,6 +186,13 @@ uint32_t BulletBodies::islandOf(const btCollisionObject& body) const {
 uint32_t BulletBodies::fragmentOf(uint32_t island, int child) const {
     const Body& slot = bodies_[island];
     return slot.shape && child >= 0 ? slot.shape->fragmentOf(child) : slot.firstFragment;
+}
+
+uint32_t BulletBodies::fragmentAt(uint32_t island, int child, const btVector3& point) const {
+    const Body& slot = bodies_[island];
+    if (slot.shape && child < 0)
+        pointDistance(*slot.shape->shape(), slot.body->getWorldTransform(), point, &child);
+    return fragmentOf(island, child);
 }
 
 }  // namespace sherd
