@@ -21,8 +21,9 @@ BulletBodies::~BulletBodies() {
 }
 
 void BulletBodies::attach(IslandWorld& islands, std::span<const BodyRule> rules,
-                          GameListener* listener) {
+                          GameListener* listener, bool releaseAsleep) {
     islands_ = &islands;
+    releaseAsleep_ = releaseAsleep;
     rules_ = rules;
     listener_ = listener;
 }

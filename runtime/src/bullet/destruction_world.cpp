@@ -75,6 +75,16 @@ bool touchesStatic(btCollisionWorld& world, btCollisionShape& shape, const btTra
     return touch.found;
 }
 
+/// Whether the box around a body reaches into a sphere.
+bool reaches(const AreaDamage& sphere, const btRigidBody& body) {
+    btVector3 low, high;
+    body.getAabb(low, high);
+    btVector3 nearest = toBullet(sphere.a);
+    nearest.setMax(low);
+    nearest.setMin(high);
+    return nearest.distance(toBullet(sphere.a)) <= sphere.radius;
+}
+
 /// Pushes a body away from a point: N s per m^2 of the circle that its bounding sphere shows it,
 /// falling evenly to nothing at `radius`.
 void throwFrom(btRigidBody& body, const glm::vec3& point, float radius, float impulsePerArea) {
@@ -128,7 +138,7 @@ class DestructionWorld::Impl final : public btActionInterface {
           bodies(bullet, options.overlapTolerance),
           islands(bodies, options.maxPendingEvents),
           breaker(bullet, bodies, islands) {
-        bodies.attach(islands, settings.rules, settings.listener);
+        bodies.attach(islands, settings.rules, settings.listener, settings.releaseAsleep);
         if (settings.drive == Drive::action) world.addAction(this);
     }
     ~Impl() override {
@@ -353,6 +363,14 @@ bool DestructionWorld::breakAll(ObjectId object) {
     return true;
 }
 
+bool DestructionWorld::freeze(ObjectId object, uint32_t fragment) {
+    const uint32_t island = impl_->find(object, fragment);
+    if (island == UINT32_MAX) return false;
+    btRigidBody& body = impl_->bodies.body(island);
+    if (!body.isStaticOrKinematicObject()) putToSleep(body);
+    return true;
+}
+
 bool DestructionWorld::heal(ObjectId object, float share) {
     if (!impl_->isThere(object)) return false;
     sherd::heal(*impl_->islands.object(object.index).structure, share);
@@ -383,9 +401,13 @@ Result<uint32_t> DestructionWorld::explode(const AreaDamage& damage, float impul
         return fail(ErrorCode::badArgument, "an explosion is a sphere", "damage.shape");
     if (!std::isfinite(impulsePerArea))
         return fail(ErrorCode::badArgument, "the impulse must be finite", "impulsePerArea");
+    if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
+    impl_->bodies.noticeGone();
+    for (uint32_t i = 0; i < impl_->islands.islands().size(); ++i)
+        if (impl_->islands.island(i).isAlive && reaches(damage, impl_->bodies.body(i)))
+            impl_->bodies.body(i).activate();
     Result<uint32_t> broken = this->damage(damage);
     if (!broken) return broken;
-    impl_->bodies.noticeGone();
     for (uint32_t i = 0; i < impl_->islands.islands().size(); ++i)
         if (impl_->islands.island(i).isAlive)
             throwFrom(impl_->bodies.body(i), damage.a, damage.radius, impulsePerArea);
@@ -403,6 +425,7 @@ Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const R
         return fail(ErrorCode::badArgument,
                     "place and direction must be finite, energy, speed and impulse not negative",
                     "hit");
+    impl_->bodies.body(island).activate();
     const float consumed = impl_->islands.takeHit(
         island, impl_->bodies.fragmentAt(island, child, toBullet(hit.point)), hit);
     impl_->bodies.released().settle();
@@ -482,7 +505,8 @@ Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t>
 }
 
 void DestructionWorld::afterStep(float dt) {
-    if (impl_->settings.drive == Drive::manual && dt > 0) impl_->step(dt, false);
+    if (!SHERD_ASSERT(impl_->settings.drive == Drive::manual) || !SHERD_ASSERT(dt > 0)) return;
+    impl_->step(dt, false);
 }
 
 std::span<const FragmentPose> DestructionWorld::poses() const {

@@ -7,6 +7,12 @@
 
 namespace sherd {
 
+void putToSleep(btRigidBody& body) {
+    body.setLinearVelocity(btVector3(0, 0, 0));
+    body.setAngularVelocity(btVector3(0, 0, 0));
+    body.forceActivationState(ISLAND_SLEEPING);
+}
+
 void BulletBodies::adopt(Body& slot, const IslandBody& island) {
     const Adopted adopted = *std::exchange(nextAdopted_, std::nullopt);
     btRigidBody& body = *adopted.body;
@@ -75,8 +81,10 @@ void BulletBodies::lose(uint32_t island) {
 }
 
 void BulletBodies::beforeSplit(uint32_t island) {
+    const btRigidBody& body = *bodies_[island].body;
     released_.beforeSplit(island);
-    constraints_.beforeSplit(*bodies_[island].body);
+    constraints_.beforeSplit(body);
+    isAsleep_ = releaseAsleep_ && !body.isStaticOrKinematicObject() && !body.isActive();
 }
 
 void BulletBodies::afterSplit(uint32_t island, std::span<const uint32_t> islands) {
@@ -85,6 +93,9 @@ void BulletBodies::afterSplit(uint32_t island, std::span<const uint32_t> islands
     for (const uint32_t i : islands) parts_.push_back(bodies_[i].body.get());
     constraints_.afterSplit(*old, parts_, listener_);
     if (replaced_) announce(islands);
+    if (isAsleep_)
+        for (const uint32_t i : islands)
+            if (!bodies_[i].body->isStaticObject()) putToSleep(*bodies_[i].body);
     released_.afterSplit(island, islands);
 }
 

@@ -8,6 +8,9 @@
 
 namespace sherd {
 
+/// At once, and until something touches it.
+void putToSleep(btRigidBody& body);
+
 /// Who must know that the game has deleted a body of Sherd's.
 class BodyOwner {
   public:

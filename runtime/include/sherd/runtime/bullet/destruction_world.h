@@ -39,6 +39,10 @@ struct WorldOptions {
     uint32_t stressIterations = 4;
     /// False: contacts break nothing by themselves; another world decides, and sends its breaks.
     bool authority = true;
+    /// What comes off something that sleeps, and was not hit, sleeps until something touches it:
+    /// walls of any size stand, also those Bullet does not hold up. It sleeps, too, where its
+    /// support has just been broken away.
+    bool releaseAsleep = false;
     /// Filters, friction and sweeping by level and size.
     std::vector<BodyRule> rules;
     GameListener* listener = nullptr;  ///< the game's, told of what happens to its bodies
@@ -147,6 +151,9 @@ class DestructionWorld {
     bool breakAll(ObjectId object);
     /// Breaks a standing fragment out of its neighbours, whole. False when it does not stand.
     bool detach(ObjectId object, uint32_t fragment);
+    /// Stops the body that a standing fragment is part of, and lets it sleep until something
+    /// touches it. False when the fragment does not stand; one that stands fixed stays as it is.
+    bool freeze(ObjectId object, uint32_t fragment = 0);
     /// Gives bonds that are not broken `share` of their energy back, 0..1.
     bool heal(ObjectId object, float share = 1);
 
