@@ -83,9 +83,9 @@ void Breaker::findMeetings() {
         };
         Meeting meeting{p, {}, 0, {}};
         if (islands[0] != kNoIsland)
-            meeting.fragments[0] = bodies_.fragmentOf(islands[0], pair.childA);
+            meeting.fragments[0] = bodies_.fragmentAt(islands[0], pair.childA, pair.point);
         if (islands[1] != kNoIsland)
-            meeting.fragments[1] = bodies_.fragmentOf(islands[1], pair.childB);
+            meeting.fragments[1] = bodies_.fragmentAt(islands[1], pair.childB, pair.point);
         Contact& contact = meeting.contact;
         contact.approachSpeed = -(velocity(pair.a) - velocity(pair.b)).dot(pair.normal);
         contact.effectiveMass = effectiveMass(a, b, pair.point, pair.normal);
@@ -187,6 +187,9 @@ float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact,
         }
         surplus = 0;
         contacts_.forget(side == 0 ? pair.a : pair.b);
+    } else if (bodies_.isAdopted(island)) {
+        const SolvedPair& pair = contacts_.pairs()[strike.pair];
+        contacts_.forget(side == 0 ? pair.a : pair.b);  // it gives way, and may be deleted
     }
     (void)islands_.split(island, event);
     const uint32_t now = islands_.findIsland(object, struck);

@@ -4,28 +4,20 @@
 #include <utility>
 
 #include "bullet/convert.h"
+#include "bullet/point_distance.h"
 
 namespace sherd {
 
 BulletBodies::~BulletBodies() {
-    for (Body& slot : bodies_)
-        if (slot.body && slot.body->isInWorld()) world_.removeRigidBody(slot.body.get());
-}
-
-void BulletBodies::prepare(const std::shared_ptr<const Asset>& asset) {
-    for (const auto& prepared : assets_)
-        if (prepared->shapes.asset() == asset) return;
-    assets_.push_back(std::make_unique<Prepared>(asset, tolerance_));
-}
-
-BulletBodies::Prepared& BulletBodies::preparedOf(const Asset& asset) const {
-    size_t i = 0;
-    while (assets_[i]->shapes.asset().get() != &asset) ++i;
-    return *assets_[i];
-}
-
-FragmentShapes& BulletBodies::shapesOf(const Asset& asset) const {
-    return preparedOf(asset).shapes;
+    noticeGone();
+    for (uint32_t i = 0; i < bodies_.size(); ++i) {
+        Body& slot = bodies_[i];
+        if (!slot.body) continue;
+        if (isAdopted(i))
+            letGo(i);
+        else if (slot.body->isInWorld())
+            world_.removeRigidBody(slot.body.get());
+    }
 }
 
 std::span<const uint32_t> BulletBodies::fragmentsOf(uint32_t island) const {
@@ -33,11 +25,21 @@ std::span<const uint32_t> BulletBodies::fragmentsOf(uint32_t island) const {
     return slot.shape ? slot.shape->fragments() : std::span(&slot.firstFragment, 1);
 }
 
+void BulletBodies::attach(IslandWorld& islands, std::span<const BodyRule> rules,
+                          GameListener* listener, bool releaseAsleep) {
+    islands_ = &islands;
+    releaseAsleep_ = releaseAsleep;
+    rules_ = rules;
+    listener_ = listener;
+}
+
 /// Makes the shape, too, if there is none yet that would do.
 btRigidBody::btRigidBodyConstructionInfo BulletBodies::describe(Body& slot,
                                                                 const IslandBody& island) {
-    slot.asset = &preparedOf(*island.asset);
-    const FragmentShapes& shapes = slot.asset->shapes;
+    const PreparedAsset& prepared = assets_.find(*island.asset);
+    const FragmentShapes& shapes = *prepared.shapes;
+    slot.shapes = prepared.shapes.get();
+    slot.overlaps = prepared.overlaps.get();
     slot.object = island.object.index;
     slot.firstFragment = island.fragments.front();
     slot.diagonal = island.asset->diagonal();
@@ -57,8 +59,13 @@ btRigidBody::btRigidBodyConstructionInfo BulletBodies::describe(Body& slot,
     return info;
 }
 
-void BulletBodies::addToWorld(Body& slot) {
-    const Filter filter = filters_[slot.object];
+BodyFilter BulletBodies::rule(Body& slot, const IslandBody& island) {
+    BodyFilter filter = filters_[slot.object];
+    applyRules(rules_, island.asset->fragment(slot.firstFragment).level, *slot.body, filter);
+    return filter;
+}
+
+void BulletBodies::addToWorld(Body& slot, const BodyFilter& filter) {
     if (filter.group == 0 && filter.mask == 0) {
         world_.addRigidBody(slot.body.get());
     } else {
@@ -77,27 +84,42 @@ void BulletBodies::create(const IslandBody& island) {
     if (filters_.size() <= object) filters_.resize(object + 1);
     if (nextFilter_) filters_[object] = *std::exchange(nextFilter_, std::nullopt);
     Body& slot = bodies_[island.island];
-    slot.body = std::make_unique<btRigidBody>(describe(slot, island));
+    if (nextAdopted_) {
+        adopt(slot, island);
+        return;
+    }
+    make(slot, island);
+    addToWorld(slot, rule(slot, island));
+    // Bullet applies gravity once before all substeps of a step and clears it after the last.
+    if (inStep_ && island.mass > 0) slot.body->applyGravity();
+}
+
+void BulletBodies::make(Body& slot, const IslandBody& island) {
+    slot.body = BodyPointer(new OwnBody(describe(slot, island), *this, island.island));
     slot.body->setUserIndex3(int(island.island));
     slot.seen = slot.body->getWorldTransform();
     slot.isStill = false;
     move(*slot.body, island.motion);
-    addToWorld(slot);
-    // Bullet applies gravity once before all substeps of a step and clears it after the last.
-    if (inStep_ && island.mass > 0) slot.body->applyGravity();
 }
 
 /// Where it cannot change in place it goes out of the world and in again: Bullet sorts bodies into
 /// fixed and moving ones when they are added, and holds contacts of the old shape.
 void BulletBodies::update(const IslandBody& island) {
     Body& slot = bodies_[island.island];
+    if (isAdopted(island.island)) {
+        replaced_ = letGo(island.island);
+        create(island);
+        return;
+    }
     btRigidBody& body = *slot.body;
     const bool isInWorld = body.isInWorld();
     const bool wasFixed = body.isStaticObject(), isFixed = island.mass == 0;
-    const btVector3 weight = body.getGravity() * body.getMass();
+    // What slept when the step began got no weight.
+    const bool isWeighed = !body.getTotalForce().isZero();
+    const btVector3 weight = body.getGravity() * (isWeighed ? body.getMass() : 0);
     const bool isInPlace =
         slot.shape && wasFixed == isFixed && island.fragments.size() > 1 &&
-        slot.shape->become(slot.asset->shapes, island.fragments, toBullet(island.frame), marks_);
+        slot.shape->become(*slot.shapes, island.fragments, toBullet(island.frame), marks_);
     std::unique_ptr<IslandShape> old;
     if (!isInPlace) {
         if (isInWorld) world_.removeRigidBody(&body);
@@ -116,15 +138,36 @@ void BulletBodies::update(const IslandBody& island) {
     move(body, island.motion);
     // Bullet puts what stands fixed to sleep, and it would hang in the air; as what slept would.
     if (!isFixed && wasFixed) body.forceActivationState(ACTIVE_TAG);
-    if (!isFixed) body.activate();
-    if (isInWorld && isInPlace) world_.updateSingleAabb(&body);
-    if (isInWorld && !isInPlace) addToWorld(slot);
-    if (inStep_ && !isFixed) body.applyCentralForce(body.getGravity() * body.getMass() - weight);
+    if (!isFixed && !(releaseAsleep_ && isAsleep_)) body.activate();
+    const BodyFilter filter = rule(slot, island);
+    if (isInWorld && isInPlace) {
+        const btBroadphaseProxy& proxy = *body.getBroadphaseProxy();
+        const bool isSameFilter = (filter.group == 0 && filter.mask == 0) ||
+                                  (proxy.m_collisionFilterGroup == filter.group &&
+                                   proxy.m_collisionFilterMask == filter.mask);
+        if (isSameFilter) {
+            world_.updateSingleAabb(&body);
+        } else {
+            world_.removeRigidBody(&body);
+            addToWorld(slot, filter);
+        }
+    } else if (isInWorld) {
+        addToWorld(slot, filter);
+    }
+    if (inStep_ && !isFixed) {
+        body.applyCentralForce(-weight);
+        body.applyCentralForce(body.getGravity() * body.getMass());
+    }
 }
 
 void BulletBodies::remove(uint32_t island) {
     Body& slot = bodies_[island];
+    if (!slot.body) return;  // the game has deleted it
     released_.forget(island);
+    if (isAdopted(island)) {
+        letGo(island);
+        return;
+    }
     if (slot.body->isInWorld()) world_.removeRigidBody(slot.body.get());
     slot.body.reset();
     slot.shape.reset();
@@ -133,6 +176,15 @@ void BulletBodies::remove(uint32_t island) {
 BodyMotion BulletBodies::motion(uint32_t island) const {
     const btRigidBody& body = *bodies_[island].body;
     BodyMotion motion{toPose(body.getWorldTransform()), {}, {}};
+    if (isAdopted(island)) {
+        const btTransform place = body.getWorldTransform() * bodies_[island].mass;
+        motion.pose = toPose(place);
+        if (body.isStaticObject()) return motion;
+        motion.linearVelocity =
+            toGlm(body.getVelocityInLocalPoint(place.getOrigin() - body.getCenterOfMassPosition()));
+        motion.angularVelocity = toGlm(body.getAngularVelocity());
+        return motion;
+    }
     if (body.isStaticObject()) return motion;
     motion.linearVelocity = toGlm(body.getLinearVelocity());
     motion.angularVelocity = toGlm(body.getAngularVelocity());
@@ -171,6 +223,13 @@ uint32_t BulletBodies::fragmentOf(uint32_t island, int child) const {
     const Body& slot = bodies_[island];
     const bool isKnown = slot.shape && child >= 0 && size_t(child) < slot.shape->fragments().size();
     return isKnown ? slot.shape->fragmentOf(child) : slot.firstFragment;
+}
+
+uint32_t BulletBodies::fragmentAt(uint32_t island, int child, const btVector3& point) const {
+    const Body& slot = bodies_[island];
+    if (slot.shape && child < 0)
+        pointDistance(*slot.shape->shape(), slot.body->getWorldTransform(), point, &child);
+    return fragmentOf(island, child);
 }
 
 }  // namespace sherd

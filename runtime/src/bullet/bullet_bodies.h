@@ -9,8 +9,12 @@
 #include <span>
 #include <vector>
 
-#include "bullet/fragment_shapes.h"
+#include "bullet/asset_store.h"
+#include "bullet/body_rules.h"
+#include "bullet/constraint_mover.h"
+#include "bullet/convert.h"
 #include "bullet/island_shape.h"
+#include "bullet/own_body.h"
 #include "bullet/released_pairs.h"
 #include "bullet/rest_overlaps.h"
 #include "sherd/runtime/island_world.h"
@@ -18,18 +22,29 @@
 namespace sherd {
 
 /// Bullet's bodies of an IslandWorld, by the islands' numbers.
-class BulletBodies final : public BodyTable {
+class BulletBodies final : public BodyTable, private BodyOwner {
   public:
     BulletBodies(btDynamicsWorld& world, float overlapTolerance)
-        : released_(*this, overlapTolerance), world_(world), tolerance_(overlapTolerance) {}
+        : released_(*this, overlapTolerance),
+          world_(world),
+          constraints_(world),
+          assets_(overlapTolerance) {}
     ~BulletBodies() override;
     BulletBodies(const BulletBodies&) = delete;
     BulletBodies& operator=(const BulletBodies&) = delete;
 
-    /// Before an asset's first body is made: its shapes, kept as long as this lives.
-    void prepare(const std::shared_ptr<const Asset>& asset);
+    /// Before the first body: whose islands these are, what rules say, who listens, or null, and
+    /// whether what comes off a sleeping body sleeps.
+    void attach(IslandWorld& islands, std::span<const BodyRule> rules, GameListener* listener,
+                bool releaseAsleep);
+    /// Shapes of assets, by size.
+    [[nodiscard]] AssetStore& assets() { return assets_; }
     /// Bullet's filter bits for bodies of the object that comes next; both 0: Bullet's defaults.
-    void setNextFilter(int group, int mask) { nextFilter_ = Filter{group, mask}; }
+    void setNextFilter(int group, int mask) { nextFilter_ = BodyFilter{group, mask}; }
+    /// The next body is one of the game's. `objectToBody`: where its object is in it.
+    void setNextAdopted(btRigidBody& body, const RigidPose& objectToBody) {
+        nextAdopted_ = Adopted{&body, toBullet(objectToBody)};
+    }
     /// Whether Bullet has given its gravity for this step already; new bodies must have theirs.
     void setInStep(bool inStep) { inStep_ = inStep; }
 
@@ -37,10 +52,19 @@ class BulletBodies final : public BodyTable {
     void update(const IslandBody& body) override;
     void remove(uint32_t island) override;
     [[nodiscard]] BodyMotion motion(uint32_t island) const override;
-    void beforeSplit(uint32_t island) override { released_.beforeSplit(island); }
-    void afterSplit(uint32_t island, std::span<const uint32_t> islands) override {
-        released_.afterSplit(island, islands);
+    void beforeSplit(uint32_t island) override;
+    void afterSplit(uint32_t island, std::span<const uint32_t> islands) override;
+
+    /// Lets go the game's bodies that it has taken out of Bullet's world. Without a look at them:
+    /// they may be deleted.
+    void noticeGone();
+    /// Is the game's still.
+    [[nodiscard]] bool isAdopted(uint32_t island) const {
+        return bodies_[island].body.get_deleter().isGames;
     }
+    /// An adopted body is to give way to islands that will not be split from it.
+    void giveBack(uint32_t island) { replaced_ = letGo(island); }
+    void announce(std::span<const uint32_t> islands);
 
     /// After a substep: tells the world where its islands are. Returns whether contacts can have
     /// done anything to them: Bullet wakes what is touched.
@@ -54,53 +78,74 @@ class BulletBodies final : public BodyTable {
     /// The body may have been taken out of Bullet's world by the game.
     [[nodiscard]] btRigidBody& body(uint32_t island) const { return *bodies_[island].body; }
     [[nodiscard]] float diagonalOf(uint32_t island) const { return bodies_[island].diagonal; }
+    template <class Visit>
+    void forEach(const Visit& visit) const {
+        for (const Body& slot : bodies_)
+            if (slot.body) visit(*slot.body);
+    }
     /// UINT32_MAX when it is none of these.
     [[nodiscard]] uint32_t islandOf(const btCollisionObject& body) const;
     /// The fragment that a child of the body's shape belongs to; the first for -1.
     [[nodiscard]] uint32_t fragmentOf(uint32_t island, int child) const;
-    [[nodiscard]] FragmentShapes& shapesOf(const Asset& asset) const;
-    /// Ascending; some may be listed more than once.
+    /// The same, but for -1 the nearest to a point of the world.
+    [[nodiscard]] uint32_t fragmentAt(uint32_t island, int child, const btVector3& point) const;
+    [[nodiscard]] const FragmentShapes& shapesOf(const Asset& asset) const {
+        return *assets_.find(asset).shapes;
+    }
+    /// One that has several colliders may be listed for each.
     [[nodiscard]] std::span<const uint32_t> fragmentsOf(uint32_t island) const;
     [[nodiscard]] const RestOverlaps& restOverlapsOf(uint32_t island) const {
-        return bodies_[island].asset->overlaps;
+        return *bodies_[island].overlaps;
     }
     [[nodiscard]] ReleasedPairs& released() { return released_; }
     [[nodiscard]] const ReleasedPairs& released() const { return released_; }
 
   private:
-    /// What every body of an asset shares.
-    struct Prepared {
-        Prepared(std::shared_ptr<const Asset> asset, float tolerance)
-            : shapes(std::move(asset)), overlaps(shapes, tolerance * shapes.asset()->diagonal()) {}
-        FragmentShapes shapes;
-        RestOverlaps overlaps;
-    };
-    [[nodiscard]] Prepared& preparedOf(const Asset& asset) const;
-
     struct Body {
-        std::unique_ptr<btRigidBody> body;   ///< null: there is none
+        BodyPointer body;                    ///< null: there is none
         std::unique_ptr<IslandShape> shape;  ///< null: its only fragment's own
-        const Prepared* asset = nullptr;
+        const FragmentShapes* shapes = nullptr;
+        const RestOverlaps* overlaps = nullptr;
         uint32_t object = 0;
         uint32_t firstFragment = 0;
         float diagonal = 0;  ///< of the object, metres
         btTransform frame;   ///< body to object
         btTransform seen;    ///< where it was when its pose was read last
         bool isStill = false;
+        int worldIndex = -1;  ///< where an adopted body was seen in Bullet's list
+        int gamesNumber = 0;  ///< what it carried as user index 3
+        btTransform mass;     ///< of an adopted body: where the island's own frame is in it
     };
-    struct Filter {
-        int group = 0, mask = 0;
+    struct Adopted {
+        btRigidBody* body = nullptr;
+        btTransform objectToBody;
     };
     btRigidBody::btRigidBodyConstructionInfo describe(Body& slot, const IslandBody& island);
-    void addToWorld(Body& slot);
+    void make(Body& slot, const IslandBody& island);
+    void adopt(Body& slot, const IslandBody& island);
+    BodyFilter rule(Body& slot, const IslandBody& island);
+    void addToWorld(Body& slot, const BodyFilter& filter);
+    btRigidBody* letGo(uint32_t island);
+    [[nodiscard]] bool isStillThere(uint32_t island);
+    void forgetDeleted(uint32_t island) override;
+    void lose(uint32_t island);
     static void move(btRigidBody& body, const BodyMotion& motion);
 
     ReleasedPairs released_;
     btDynamicsWorld& world_;
-    float tolerance_;
-    std::vector<std::unique_ptr<Prepared>> assets_;
-    std::vector<Filter> filters_;  ///< per object
-    std::optional<Filter> nextFilter_;
+    ConstraintMover constraints_;
+    IslandWorld* islands_ = nullptr;
+    std::span<const BodyRule> rules_;
+    GameListener* listener_ = nullptr;
+    bool releaseAsleep_ = false;
+    bool isAsleep_ = false;  ///< the body that is coming apart
+    AssetStore assets_;
+    std::vector<BodyFilter> filters_;  ///< per object
+    std::optional<BodyFilter> nextFilter_;
+    std::optional<Adopted> nextAdopted_;
+    std::vector<uint32_t> adopted_;    ///< islands
+    btRigidBody* replaced_ = nullptr;  ///< the game's body that is coming apart
+    std::vector<btRigidBody*> parts_;
     std::vector<Body> bodies_;  ///< per island
     IslandShape::Marks marks_;
     bool inStep_ = false;

@@ -9,36 +9,42 @@
 #include <cmath>
 #include <new>
 
+#include "bullet/adviser.h"
 #include "bullet/breaker.h"
 #include "bullet/bullet_bodies.h"
 #include "bullet/convert.h"
 #include "bullet/object_snapshot.h"
 #include "core/finite.h"
+#include "core/report.h"
 #include "core/structure_bytes.h"
+#include "sherd/runtime/bullet/game_listener.h"
+#include "sherd/runtime/bullet/prepared_asset.h"
 
 namespace sherd {
 namespace {
 
-Result<void> checkSpawn(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
-                        const SpawnOptions& options) {
+Result<void> checkDamage(const DamageOptions& damage) {
+    const bool damageOk = damage.toughnessScale > 0 && damage.strengthScale > 0 &&
+                          damage.levelScale > 0 && damage.immunity >= 0 &&
+                          damage.minimumImpulse >= 0 && damage.minimumEnergy >= 0;
+    if (damageOk) return {};
+    return fail(ErrorCode::badArgument,
+                "the scales must be positive, the minimum values and times not negative",
+                "options.damage");
+}
+
+/// Of what stands for the asset.
+Result<void> checkInstance(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
+                           float scale, const DamageOptions& damage) {
     if (!asset) return fail(ErrorCode::badArgument, "the asset is null; load one first", "asset");
     if (!isSound(pose)) {
         return fail(ErrorCode::badArgument,
                     "the pose must have a finite place and a unit quaternion", "pose");
     }
-    if (!isFinite(options.linearVelocity) || !isFinite(options.angularVelocity)) {
-        return fail(ErrorCode::badArgument, "the velocities must be finite", "options");
-    }
-    const DamageOptions& damage = options.damage;
-    const bool damageOk = damage.toughnessScale > 0 && damage.strengthScale > 0 &&
-                          damage.levelScale > 0 && damage.immunity >= 0 &&
-                          damage.minimumImpulse >= 0 && damage.minimumEnergy >= 0;
-    if (!damageOk) {
-        return fail(ErrorCode::badArgument,
-                    "the scales must be positive, the minimum values and times not negative",
-                    "options.damage");
-    }
-    return {};
+    if (!(scale > 0) || !std::isfinite(scale))
+        return fail(ErrorCode::badArgument, "the scale must be positive and finite",
+                    "options.scale");
+    return checkDamage(damage);
 }
 
 constexpr uint32_t kSavedObject = 0x31484453;  // "SDH1": what it is, and its version
@@ -69,6 +75,16 @@ bool touchesStatic(btCollisionWorld& world, btCollisionShape& shape, const btTra
     return touch.found;
 }
 
+/// Whether the box around a body reaches into a sphere.
+bool reaches(const AreaDamage& sphere, const btRigidBody& body) {
+    btVector3 low, high;
+    body.getAabb(low, high);
+    btVector3 nearest = toBullet(sphere.a);
+    nearest.setMax(low);
+    nearest.setMin(high);
+    return nearest.distance(toBullet(sphere.a)) <= sphere.radius;
+}
+
 /// Pushes a body away from a point: N s per m^2 of the circle that its bounding sphere shows it,
 /// falling evenly to nothing at `radius`.
 void throwFrom(btRigidBody& body, const glm::vec3& point, float radius, float impulsePerArea) {
@@ -84,6 +100,34 @@ void throwFrom(btRigidBody& body, const glm::vec3& point, float radius, float im
     body.applyCentralImpulse(away / distance * impulsePerArea * area * (1 - distance / radius));
 }
 
+/// What comes off collides as the body did: as what Bullet makes of it where the game left that to
+/// Bullet.
+BodyFilter filterOf(const btRigidBody& body, const AdoptOptions& options) {
+    if (options.collisionGroup != 0 || options.collisionMask != 0)
+        return {options.collisionGroup, options.collisionMask};
+    const btBroadphaseProxy& proxy = *body.getBroadphaseProxy();
+    const bool isFixed = body.isStaticOrKinematicObject();
+    const int group = isFixed ? btBroadphaseProxy::StaticFilter : btBroadphaseProxy::DefaultFilter;
+    const int mask = isFixed ? btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter
+                             : btBroadphaseProxy::AllFilter;
+    if (proxy.m_collisionFilterGroup == group && proxy.m_collisionFilterMask == mask) return {};
+    return {proxy.m_collisionFilterGroup, proxy.m_collisionFilterMask};
+}
+
+/// A body of Sherd's that stands where an adopted one does.
+btRigidBody standIn(const btRigidBody& body, const BodyMotion& motion) {
+    btRigidBody result(1, nullptr, nullptr);
+    result.setWorldTransform(toBullet(motion.pose));
+    result.setLinearVelocity(toBullet(motion.linearVelocity));
+    result.setAngularVelocity(toBullet(motion.angularVelocity));
+    result.forceActivationState(body.getActivationState());
+    result.setDeactivationTime(body.getDeactivationTime());
+    return result;
+}
+
+/// Who has pinned an object.
+enum class Hold : uint8_t { none, toStatic, byGame };
+
 }  // namespace
 
 class DestructionWorld::Impl final : public btActionInterface {
@@ -94,6 +138,7 @@ class DestructionWorld::Impl final : public btActionInterface {
           bodies(bullet, options.overlapTolerance),
           islands(bodies, options.maxPendingEvents),
           breaker(bullet, bodies, islands, options.leastImpact) {
+        bodies.attach(islands, settings.rules, settings.listener, settings.releaseAsleep);
         if (settings.drive == Drive::action) world.addAction(this);
     }
     ~Impl() override {
@@ -109,6 +154,8 @@ class DestructionWorld::Impl final : public btActionInterface {
     // Out of memory within a step ends the program rather than leave half a swap behind.
     void step(float dt, bool inStep) noexcept {
         islands.setTime(islands.time() + double(dt));
+        lastStep = dt;
+        bodies.noticeGone();
         bodies.released().releaseSeparated();
         const bool isTouchable = bodies.readPoses(islands);
         if (!isTouchable) return;
@@ -142,9 +189,29 @@ class DestructionWorld::Impl final : public btActionInterface {
         return result;
     }
 
+    void anchorToStatic(uint32_t object) {
+        const float tolerance = kTouch * islands.object(object).asset->diagonal();
+        const auto leaves =
+            leavesWhere(object, [&](btCollisionShape& shape, const btTransform& place) {
+                return touchesStatic(world, shape, place, tolerance);
+            });
+        islands.pin(object, leaves, true);
+    }
+
+    Hold& holds(uint32_t object) {
+        if (holds_.size() <= object) holds_.resize(object + 1, Hold::none);
+        return holds_[object];
+    }
+
+    /// Whether it is alive, and the game has not just taken it away.
+    bool isThere(ObjectId object) {
+        bodies.noticeGone();
+        return islands.isAlive(object);
+    }
+
     /// Island of a standing fragment of a living object; UINT32_MAX when there is none.
-    [[nodiscard]] uint32_t find(ObjectId object, uint32_t fragment) const {
-        return islands.isAlive(object) ? islands.findIsland(object.index, fragment) : UINT32_MAX;
+    [[nodiscard]] uint32_t find(ObjectId object, uint32_t fragment) {
+        return isThere(object) ? islands.findIsland(object.index, fragment) : UINT32_MAX;
     }
 
     btDynamicsWorld& world;
@@ -152,6 +219,10 @@ class DestructionWorld::Impl final : public btActionInterface {
     BulletBodies bodies;
     IslandWorld islands;
     Breaker breaker;
+    float lastStep = 0;  ///< s; 0: none yet
+
+  private:
+    std::vector<Hold> holds_;  ///< per object
 };
 
 DestructionWorld::DestructionWorld(btDynamicsWorld& world, const WorldOptions& options)
@@ -161,66 +232,157 @@ DestructionWorld::~DestructionWorld() = default;
 
 Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& asset,
                                          const RigidPose& pose, const SpawnOptions& options) {
-    if (auto ok = checkSpawn(asset, pose, options); !ok) return tl::unexpected<Error>(ok.error());
+    if (auto ok = checkInstance(asset, pose, options.scale, options.damage); !ok)
+        return tl::unexpected<Error>(ok.error());
+    if (!isFinite(options.linearVelocity) || !isFinite(options.angularVelocity))
+        return fail(ErrorCode::badArgument, "the velocities must be finite", "options");
     Impl& impl = *impl_;
     try {
-        impl.bodies.prepare(asset);
+        auto sized = impl.bodies.assets().take(asset, options.scale);
+        if (!sized) return tl::unexpected<Error>(sized.error());
         // The object's number, and with it its filter, is known only once it is there.
         impl.bodies.setNextFilter(options.collisionGroup, options.collisionMask);
         BodyMotion motion;
         motion.linearVelocity = options.linearVelocity;
         motion.angularVelocity = options.angularVelocity;
         const ObjectId object = impl.islands.spawn(
-            asset, pose, combine(impl.settings.damage, options.damage), options.dynamic, motion);
-        if (options.anchorToStatic) {
-            const auto leaves = impl.leavesWhere(
-                object.index, [&](btCollisionShape& shape, const btTransform& place) {
-                    return touchesStatic(impl.world, shape, place, kTouch * asset->diagonal());
-                });
-            impl.islands.pin(object.index, leaves, true);
-        }
+            *sized, pose, combine(impl.settings.damage, options.damage), options.dynamic, motion);
+        impl.holds(object.index) = options.anchorToStatic ? Hold::toStatic : Hold::none;
+        if (options.anchorToStatic) impl.anchorToStatic(object.index);
         return object;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::limitExceeded, "not enough memory for the object");
     }
 }
 
+Result<ObjectId> DestructionWorld::adopt(btRigidBody& body,
+                                         const std::shared_ptr<const Asset>& asset,
+                                         const AdoptOptions& options) {
+    if (auto ok = checkInstance(asset, options.objectToBody, options.scale, options.damage); !ok)
+        return tl::unexpected<Error>(ok.error());
+    Impl& impl = *impl_;
+    impl.bodies.noticeGone();
+    if (!body.isInWorld() || impl.world.getCollisionObjectArray().findLinearSearch(&body) ==
+                                 impl.world.getNumCollisionObjects())
+        return fail(ErrorCode::badArgument, "the body must be in the Bullet world", "body");
+    if (impl.bodies.islandOf(body) != UINT32_MAX)
+        return fail(ErrorCode::badArgument, "the body is Sherd's, or adopted already", "body");
+    try {
+        auto sized = impl.bodies.assets().take(asset, options.scale);
+        if (!sized) return tl::unexpected<Error>(sized.error());
+        if (!body.isStaticOrKinematicObject()) {
+            const float mass = (*sized)->fragment(0).mass;
+            if (std::abs(body.getMass() - mass) > 0.01F * mass)
+                log(LogLevel::warning,
+                    "the mass of an adopted body is not that of its asset: what breaks off "
+                    "carries another momentum");
+        }
+        const BodyFilter filter = filterOf(body, options);
+        impl.bodies.setNextFilter(filter.group, filter.mask);
+        impl.bodies.setNextAdopted(body, options.objectToBody);
+        const RigidPose pose = toPose(body.getWorldTransform() * toBullet(options.objectToBody));
+        const ObjectId object =
+            impl.islands.spawn(*sized, pose, combine(impl.settings.damage, options.damage),
+                               !body.isStaticOrKinematicObject(), {});
+        impl.holds(object.index) = Hold::none;
+        return object;
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::limitExceeded, "not enough memory for the object");
+    }
+}
+
+Result<void> DestructionWorld::use(const PreparedAsset& prepared) {
+    if (!prepared.asset || !prepared.shapes)
+        return fail(ErrorCode::badArgument, "nothing is prepared", "prepared");
+    impl_->bodies.assets().add(prepared);
+    return {};
+}
+
+void DestructionWorld::trim() {
+    impl_->bodies.assets().trim();
+}
+
+Result<Reload> DestructionWorld::reload(const std::shared_ptr<const Asset>& old,
+                                        const std::shared_ptr<const Asset>& fresh) {
+    if (!old || !fresh)
+        return fail(ErrorCode::badArgument, "the asset is null; load one first",
+                    old ? "fresh" : "old");
+    Impl& impl = *impl_;
+    impl.bodies.noticeGone();
+    Reload result;
+    for (uint32_t o = 0; o < impl.islands.objectCount(); ++o) {
+        const IslandWorld::Object& object = impl.islands.object(o);
+        if (!object.asset || &object.asset->original() != &old->original()) continue;
+        auto sized = impl.bodies.assets().take(fresh, object.asset->scale() / fresh->scale());
+        if (!sized) return tl::unexpected<Error>(sized.error());
+        const ObjectId id = impl.islands.idOf(o);
+        const bool isWhole = !object.structure->isDamaged() && object.islands.size() == 1 &&
+                             !impl.bodies.isAdopted(object.islands.front());
+        const bool isHeld = isWhole && impl.holds(o) == Hold::toStatic;
+        if (isHeld) impl.islands.pinFragment(o, 0, false);
+        if (!isWhole || !impl.islands.exchange(o, *sized)) {
+            result.kept.push_back(id);
+            continue;
+        }
+        if (isHeld) impl.anchorToStatic(o);
+        ++result.exchanged;
+    }
+    impl.bodies.released().settle();
+    trim();
+    return result;
+}
+
+std::vector<Advice> DestructionWorld::advice() const {
+    impl_->bodies.noticeGone();
+    return adviseOn(impl_->world, impl_->bodies.assets(), impl_->bodies, impl_->settings,
+                    impl_->lastStep);
+}
+
 bool DestructionWorld::remove(ObjectId object) {
-    if (!isAlive(object)) return false;
+    if (!impl_->isThere(object)) return false;
     impl_->islands.remove(object.index);
     return true;
 }
 
 bool DestructionWorld::breakFragment(ObjectId object, uint32_t fragment) {
-    if (!isAlive(object) || !impl_->islands.breakFragment(object.index, fragment, false))
+    if (!impl_->isThere(object) || !impl_->islands.breakFragment(object.index, fragment, false))
         return false;
     impl_->bodies.released().settle();
     return true;
 }
 
 bool DestructionWorld::detach(ObjectId object, uint32_t fragment) {
-    if (!isAlive(object) || !impl_->islands.breakFragment(object.index, fragment, true))
+    if (!impl_->isThere(object) || !impl_->islands.breakFragment(object.index, fragment, true))
         return false;
     impl_->bodies.released().settle();
     return true;
 }
 
 bool DestructionWorld::breakAll(ObjectId object) {
-    if (!isAlive(object)) return false;
+    if (!impl_->isThere(object)) return false;
     impl_->islands.breakAll(object.index);
     impl_->bodies.released().settle();
     return true;
 }
 
+bool DestructionWorld::freeze(ObjectId object, uint32_t fragment) {
+    const uint32_t island = impl_->find(object, fragment);
+    if (island == UINT32_MAX) return false;
+    btRigidBody& body = impl_->bodies.body(island);
+    if (!body.isStaticOrKinematicObject()) putToSleep(body);
+    return true;
+}
+
 bool DestructionWorld::heal(ObjectId object, float share) {
-    if (!isAlive(object)) return false;
+    if (!impl_->isThere(object)) return false;
     sherd::heal(*impl_->islands.object(object.index).structure, share);
     return true;
 }
 
 Result<uint32_t> DestructionWorld::damage(ObjectId object, const AreaDamage& damage) {
     if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
-    if (!isAlive(object)) return fail(ErrorCode::badArgument, "the object is gone", "object");
+    if (!impl_->isThere(object))
+        return fail(ErrorCode::badArgument, "the object is gone", "object");
     const uint32_t broken = impl_->islands.dealArea(object.index, damage);
     impl_->bodies.released().settle();
     return broken;
@@ -230,7 +392,8 @@ Result<uint32_t> DestructionWorld::damage(const AreaDamage& damage) {
     if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
     uint32_t broken = 0;
     for (uint32_t object = 0; object < impl_->islands.objectCount(); ++object)
-        if (isAlive(impl_->islands.idOf(object))) broken += impl_->islands.dealArea(object, damage);
+        if (impl_->isThere(impl_->islands.idOf(object)))
+            broken += impl_->islands.dealArea(object, damage);
     impl_->bodies.released().settle();
     return broken;
 }
@@ -240,6 +403,11 @@ Result<uint32_t> DestructionWorld::explode(const AreaDamage& damage, float impul
         return fail(ErrorCode::badArgument, "an explosion is a sphere", "damage.shape");
     if (!std::isfinite(impulsePerArea))
         return fail(ErrorCode::badArgument, "the impulse must be finite", "impulsePerArea");
+    if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
+    impl_->bodies.noticeGone();
+    for (uint32_t i = 0; i < impl_->islands.islands().size(); ++i)
+        if (impl_->islands.island(i).isAlive && reaches(damage, impl_->bodies.body(i)))
+            impl_->bodies.body(i).activate();
     Result<uint32_t> broken = this->damage(damage);
     if (!broken) return broken;
     for (uint32_t i = 0; i < impl_->islands.islands().size(); ++i)
@@ -250,6 +418,7 @@ Result<uint32_t> DestructionWorld::explode(const AreaDamage& damage, float impul
 
 Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const ReportedHit& hit,
                                           int child) {
+    impl_->bodies.noticeGone();
     const uint32_t island = impl_->bodies.islandOf(body);
     if (island == UINT32_MAX)
         return fail(ErrorCode::badArgument, "the body is none of Sherd's", "body");
@@ -258,7 +427,8 @@ Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const R
         return fail(ErrorCode::badArgument,
                     "place and direction must be finite, energy, speed and impulse not negative",
                     "hit");
-    const uint32_t fragment = impl_->bodies.fragmentOf(island, child);
+    impl_->bodies.body(island).activate();
+    const uint32_t fragment = impl_->bodies.fragmentAt(island, child, toBullet(hit.point));
     if (hit.energy >= impl_->settings.leastImpact) impl_->islands.addImpact(island, fragment, hit);
     const float consumed = impl_->islands.takeHit(island, fragment, hit);
     impl_->bodies.released().settle();
@@ -266,15 +436,16 @@ Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const R
 }
 
 bool DestructionWorld::anchor(ObjectId object, uint32_t fragment, bool anchored) {
-    if (!isAlive(object) || !impl_->islands.pinFragment(object.index, fragment, anchored))
+    if (!impl_->isThere(object) || !impl_->islands.pinFragment(object.index, fragment, anchored))
         return false;
+    impl_->holds(object.index) = Hold::byGame;
     impl_->bodies.released().settle();
     return true;
 }
 
 uint32_t DestructionWorld::anchorInBox(ObjectId object, const glm::vec3& low,
                                        const glm::vec3& high) {
-    if (!isAlive(object)) return 0;
+    if (!impl_->isThere(object)) return 0;
     const btVector3 lowCorner = toBullet(low), highCorner = toBullet(high);
     const auto leaves = impl_->leavesWhere(
         object.index, [&](const btCollisionShape& shape, const btTransform& place) {
@@ -283,25 +454,32 @@ uint32_t DestructionWorld::anchorInBox(ObjectId object, const glm::vec3& low,
             return TestAabbAgainstAabb2(shapeLow, shapeHigh, lowCorner, highCorner);
         });
     impl_->islands.pin(object.index, leaves, true);
+    if (!leaves.empty()) impl_->holds(object.index) = Hold::byGame;
     return uint32_t(leaves.size());
 }
 
 std::vector<uint8_t> DestructionWorld::save(ObjectId object) const {
     std::vector<uint8_t> bytes;
-    if (!isAlive(object)) return bytes;
+    if (!impl_->isThere(object)) return bytes;
     ByteWriter to(bytes);
     const IslandWorld::Object& saved = impl_->islands.object(object.index);
     to.u32(kSavedObject);
     to.f64(time());
     writeStructure(*saved.structure, to);
     to.u32(uint32_t(saved.islands.size()));
-    for (const uint32_t i : saved.islands)
-        writeIsland(impl_->islands.island(i), impl_->bodies.body(i), to);
+    for (const uint32_t i : saved.islands) {
+        const btRigidBody& body = impl_->bodies.body(i);
+        if (impl_->bodies.isAdopted(i))
+            writeIsland(impl_->islands.island(i), standIn(body, impl_->bodies.motion(i)), to);
+        else
+            writeIsland(impl_->islands.island(i), body, to);
+    }
     return bytes;
 }
 
 Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t> bytes) {
-    if (!isAlive(object)) return fail(ErrorCode::badArgument, "the object is gone", "object");
+    if (!impl_->isThere(object))
+        return fail(ErrorCode::badArgument, "the object is gone", "object");
     ByteReader from(bytes);
     if (from.u32() != kSavedObject)
         return fail(ErrorCode::invalidData, "these are not the bytes of a saved object", "bytes");
@@ -313,8 +491,11 @@ Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t>
         return fail(ErrorCode::invalidData, "the saved object does not end where it should",
                     "bytes");
     for (auto& island : snapshot->islands) island.bornAt += time() - savedAt;
+    const uint32_t first = restored.islands.front();
+    if (impl_->bodies.isAdopted(first)) impl_->bodies.giveBack(first);
     impl_->islands.replace(object.index, std::move(*snapshot->structure),
                            std::move(snapshot->islands));
+    impl_->bodies.announce(restored.islands);
     for (size_t i = 0; i < restored.islands.size(); ++i) {
         btRigidBody& body = impl_->bodies.body(restored.islands[i]);
         restoreBody(snapshot->bodies[i], body);
@@ -327,7 +508,8 @@ Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t>
 }
 
 void DestructionWorld::afterStep(float dt) {
-    if (impl_->settings.drive == Drive::manual && dt > 0) impl_->step(dt, false);
+    if (!SHERD_ASSERT(impl_->settings.drive == Drive::manual) || !SHERD_ASSERT(dt > 0)) return;
+    impl_->step(dt, false);
 }
 
 std::span<const FragmentPose> DestructionWorld::poses() const {

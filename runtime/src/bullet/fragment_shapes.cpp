@@ -27,28 +27,48 @@ constexpr size_t kLargeFamily = 64;
 
 }  // namespace
 
-FragmentShapes::FragmentShapes(std::shared_ptr<const Asset> asset) : asset_(std::move(asset)) {
-    const FractureSet& set = asset_->set();
-    shapes_.reserve(set.fragments.size());
-    firstHull_.reserve(set.fragments.size());
+FragmentShapes::FragmentShapes(std::shared_ptr<const Asset> asset, const Jobs& jobs)
+    : asset_(std::move(asset)),
+      compounds_(asset_->fragmentCount()),
+      shapes_(asset_->fragmentCount()) {
+    uint32_t hulls = 0;
+    firstHull_.reserve(asset_->fragmentCount());
     for (uint32_t f = 0; f < asset_->fragmentCount(); ++f) {
-        const Range range = set.fragments[f].hulls;
-        const btTransform objectToBody = bodyFrame(f).inverse();
-        firstHull_.push_back(uint32_t(hulls_.size()));
-        for (uint32_t h = range.first; h < range.first + range.count; ++h) {
-            hulls_.push_back(makeHull(set, set.hulls[h], objectToBody));
-        }
-        if (range.count == 1) {
-            shapes_.push_back(hulls_.back().get());
-            continue;
-        }
-        compounds_.push_back(std::make_unique<ColliderSet>(range.count));
-        for (const auto& hull : hulls(f))
-            compounds_.back()->addChildShape(btTransform::getIdentity(), hull.get());
-        shapes_.push_back(compounds_.back().get());
+        firstHull_.push_back(hulls);
+        hulls += asset_->fragment(f).hulls.count;
     }
-    families_.resize(set.fragments.size());
+    hulls_.resize(hulls);
+    // A job of some 0.1 ms each.
+    constexpr uint32_t kFragmentsPerJob = 64;
+    const auto makeSome = [](void* data, uint32_t job) {
+        auto& self = *static_cast<FragmentShapes*>(data);
+        const uint32_t end = std::min(self.asset_->fragmentCount(), (job + 1) * kFragmentsPerJob);
+        for (uint32_t f = job * kFragmentsPerJob; f < end; ++f) self.make(f);
+    };
+    const uint32_t count = (asset_->fragmentCount() + kFragmentsPerJob - 1) / kFragmentsPerJob;
+    if (jobs.run && count > 1) {
+        jobs.run(jobs.user, count, makeSome, this);
+    } else {
+        for (uint32_t job = 0; job < count; ++job) makeSome(this, job);
+    }
+    families_.resize(asset_->fragmentCount());
     for (uint32_t f = 0; f < asset_->fragmentCount(); ++f) makeFamily(f);
+}
+
+void FragmentShapes::make(uint32_t fragment) {
+    const FractureSet& set = asset_->set();
+    const Range range = set.fragments[fragment].hulls;
+    const btTransform objectToBody = bodyFrame(fragment).inverse();
+    for (uint32_t h = 0; h < range.count; ++h)
+        hulls_[firstHull_[fragment] + h] = makeHull(set, set.hulls[range.first + h], objectToBody);
+    if (range.count == 1) {
+        shapes_[fragment] = hulls_[firstHull_[fragment]].get();
+        return;
+    }
+    compounds_[fragment] = std::make_unique<ColliderSet>(range.count);
+    for (const auto& hull : hulls(fragment))
+        compounds_[fragment]->addChildShape(btTransform::getIdentity(), hull.get());
+    shapes_[fragment] = compounds_[fragment].get();
 }
 
 void FragmentShapes::makeFamily(uint32_t fragment) {

@@ -9,14 +9,16 @@
 
 #include "bullet/collider_set.h"
 #include "sherd/runtime/asset.h"
+#include "sherd/runtime/hooks.h"
 
 namespace sherd {
 
 /// Bullet shapes for every fragment of an asset, made once (so that a swap makes none) and shared
-/// by all its bodies. Body frame: origin in the centre of mass, axes along the principal axes.
+/// by all its bodies, in any number of worlds: nothing changes them. Body frame: origin in the
+/// centre of mass, axes along the principal axes.
 class FragmentShapes {
   public:
-    explicit FragmentShapes(std::shared_ptr<const Asset> asset);
+    explicit FragmentShapes(std::shared_ptr<const Asset> asset, const Jobs& jobs = {});
 
     [[nodiscard]] const std::shared_ptr<const Asset>& asset() const { return asset_; }
     [[nodiscard]] btCollisionShape* shape(uint32_t fragment) const;
@@ -40,11 +42,12 @@ class FragmentShapes {
 
   private:
     void makeFamily(uint32_t fragment);
+    void make(uint32_t fragment);
 
     std::shared_ptr<const Asset> asset_;
     std::vector<std::unique_ptr<btConvexHullShape>> hulls_;  ///< fragment by fragment
     std::vector<uint32_t> firstHull_;
-    std::vector<std::unique_ptr<ColliderSet>> compounds_;
+    std::vector<std::unique_ptr<ColliderSet>> compounds_;  ///< of those of several hulls
     std::vector<btCollisionShape*> shapes_;
     std::vector<Family> families_;  ///< per fragment; most have none
 };

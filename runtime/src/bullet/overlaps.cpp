@@ -15,17 +15,19 @@ namespace sherd {
 namespace {
 
 template <class Visit>
-void forEachHull(const btCollisionObject& body, const Visit& visit) {
-    const btCollisionShape* shape = body.getCollisionShape();
-    if (!shape->isCompound()) {
-        visit(*static_cast<const btConvexShape*>(shape), body.getWorldTransform());
+void forEachHull(const btCollisionShape& shape, const btTransform& place, const Visit& visit) {
+    if (!shape.isCompound()) {
+        visit(static_cast<const btConvexShape&>(shape), place);
         return;
     }
-    const auto& compound = *static_cast<const btCompoundShape*>(shape);
-    for (int c = 0; c < compound.getNumChildShapes(); ++c) {
-        visit(*static_cast<const btConvexShape*>(compound.getChildShape(c)),
-              body.getWorldTransform() * compound.getChildTransform(c));
-    }
+    const auto& compound = static_cast<const btCompoundShape&>(shape);
+    for (int c = 0; c < compound.getNumChildShapes(); ++c)
+        forEachHull(*compound.getChildShape(c), place * compound.getChildTransform(c), visit);
+}
+
+template <class Visit>
+void forEachHull(const btCollisionObject& body, const Visit& visit) {
+    forEachHull(*body.getCollisionShape(), body.getWorldTransform(), visit);
 }
 
 /// Signed distance by GJK, and EPA where they overlap (van den Bergen 2001), as Bullet's own

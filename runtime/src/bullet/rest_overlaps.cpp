@@ -74,17 +74,18 @@ std::vector<std::pair<uint32_t, uint32_t>> nearPairs(const Asset& asset, float t
 
 }  // namespace
 
-RestOverlaps::RestOverlaps(const FragmentShapes& shapes, float tolerance) {
+RestOverlaps::RestOverlaps(const FragmentShapes& shapes, float tolerance) : tolerance_(tolerance) {
     const Asset& asset = *shapes.asset();
+    const float depth = tolerance * asset.diagonal();
     std::vector<std::pair<uint32_t, uint32_t>> found;
     btCollisionObject first, second;
-    for (const auto& [a, b] : nearPairs(asset, tolerance)) {
-        if (arePartedByBond(asset, a, b, tolerance)) continue;
+    for (const auto& [a, b] : nearPairs(asset, depth)) {
+        if (arePartedByBond(asset, a, b, depth)) continue;
         first.setCollisionShape(shapes.shape(a));
         first.setWorldTransform(shapes.bodyFrame(a));
         second.setCollisionShape(shapes.shape(b));
         second.setWorldTransform(shapes.bodyFrame(b));
-        if (!penetrates(first, second, tolerance)) continue;
+        if (!penetrates(first, second, depth)) continue;
         found.emplace_back(a, b);
         found.emplace_back(b, a);
     }

@@ -13,8 +13,11 @@ class FragmentShapes;
 /// in it. What comes apart lies so at first: known beforehand, a break tests no shapes.
 class RestOverlaps {
   public:
-    /// `tolerance`: metres that colliders may be inside each other and only touch.
+    /// `tolerance`: share of the object's diagonal that colliders may be inside each other and only
+    /// touch.
     RestOverlaps(const FragmentShapes& shapes, float tolerance);
+
+    [[nodiscard]] float tolerance() const { return tolerance_; }
 
     [[nodiscard]] bool areNone() const { return others_.empty(); }
     /// Ascending; a fragment does not overlap its own parts.
@@ -24,6 +27,7 @@ class RestOverlaps {
     }
 
   private:
+    float tolerance_;
     std::vector<uint32_t> first_;
     std::vector<uint32_t> others_;
 };

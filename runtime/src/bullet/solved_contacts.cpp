@@ -42,7 +42,11 @@ SolvedPair sumPoints(const btPersistentManifold& manifold, const btVector3& orig
         const btVector3 placeA = contact.getPositionWorldOnA() - origin;
         const btVector3 placeB = contact.getPositionWorldOnB() - origin;
         sum.normal += push;
-        sum.point += (placeA + placeB) * (btScalar(0.5) * contact.m_appliedImpulse);
+        // Of a body that moves continuously Bullet says only what it is going to meet, as body B,
+        // and there: its own place is its centre before the way.
+        const bool isAhead = contact.getDistance() > manifold.getContactBreakingThreshold();
+        const btVector3 place = isAhead ? placeB : (placeA + placeB) * btScalar(0.5);
+        sum.point += place * contact.m_appliedImpulse;
         sum.normalImpulse += contact.m_appliedImpulse;
         if (contact.m_appliedImpulse > sum.largestImpulse) {
             sum.largestImpulse = contact.m_appliedImpulse;

@@ -13,6 +13,7 @@
 #include "core/asset_validation.h"
 #include "core/finite.h"
 #include "core/mass_properties.h"
+#include "core/scaled_body.h"
 #include "sherd/formats/glb_read.h"
 
 namespace sherd {
@@ -167,12 +168,34 @@ Result<std::shared_ptr<const Asset>> Asset::fromFractureSet(FractureSet set) {
         if (auto valid = validateForRuntime(set); !valid) {
             return tl::unexpected<Error>(valid.error());
         }
-        std::shared_ptr<const Asset> asset(new Asset(std::move(set)));
-        if (auto sound = checkComposed(asset->set().fragments); !sound)
-            return tl::unexpected<Error>(sound.error());
-        return asset;
+        return checked(std::shared_ptr<const Asset>(new Asset(std::move(set))));
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::limitExceeded, "not enough memory for the object");
+    }
+}
+
+Result<std::shared_ptr<const Asset>> Asset::checked(std::shared_ptr<const Asset> asset) {
+    if (auto sound = checkComposed(asset->set().fragments); !sound)
+        return tl::unexpected<Error>(sound.error());
+    return asset;
+}
+
+Result<std::shared_ptr<const Asset>> Asset::scaled(const std::shared_ptr<const Asset>& asset,
+                                                   float factor) {
+    if (!asset) return fail(ErrorCode::badArgument, "the asset is null; load one first", "asset");
+    if (!(factor > 0) || !std::isfinite(factor))
+        return fail(ErrorCode::badArgument, "the scale must be positive and finite", "scale");
+    try {
+        const float scale = asset->scale_ * factor;
+        std::shared_ptr<const Asset> original = asset->original_ ? asset->original_ : asset;
+        if (scale == 1) return original;
+        std::shared_ptr<Asset> result(new Asset(scaledBody(original->set_, scale)));
+        result->original_ = std::move(original);
+        result->scale_ = scale;
+        result->bakeHash_ ^= std::bit_cast<uint32_t>(scale);
+        return checked(std::move(result));
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::limitExceeded, "not enough memory for the scaled object");
     }
 }
 
@@ -181,8 +204,9 @@ float Asset::distance(const Box& box, const glm::vec3& point) {
 }
 
 std::span<const DrawRange> Asset::drawRanges(uint32_t f) const {
-    const Range range = drawRangesOf_[f];
-    return std::span<const DrawRange>(drawRanges_).subspan(range.first, range.count);
+    const Asset& drawn = original();
+    const Range range = drawn.drawRangesOf_[f];
+    return std::span<const DrawRange>(drawn.drawRanges_).subspan(range.first, range.count);
 }
 
 Result<std::vector<std::shared_ptr<const Asset>>> loadAssets(std::span<const uint8_t> glb) {
@@ -191,6 +215,18 @@ Result<std::vector<std::shared_ptr<const Asset>>> loadAssets(std::span<const uin
 
 Result<std::vector<std::shared_ptr<const Asset>>> loadAssets(const std::filesystem::path& path) {
     return loadGuarded(path);
+}
+
+Result<std::vector<std::shared_ptr<const Asset>>> loadAssets(const FileReader& reader,
+                                                             const char* path) {
+    if (!reader.read || !path)
+        return fail(ErrorCode::badArgument, "the reader and the path must not be null", "reader");
+    std::vector<uint8_t> bytes;
+    if (!reader.read(reader.user, path, bytes))
+        return fail(ErrorCode::fileNotFound, "the game's reader found no such file", path);
+    auto assets = loadAssets(bytes);
+    if (!assets) assets.error().where = path + (":" + assets.error().where);
+    return assets;
 }
 
 }  // namespace sherd

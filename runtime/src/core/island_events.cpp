@@ -18,8 +18,9 @@ float sizeOf(const Asset::Box& box) {
 void IslandWorld::addEvent(BreakEvent event, uint32_t index, uint32_t bodies) {
     const uint32_t object = islands_[index].object;
     event.object = idOf(object);
-    event.asset = objects_[object].asset.get();
-    event.size = sizeOf(event.asset->box(event.fragment));
+    const Asset& asset = *objects_[object].asset;
+    event.asset = &asset.original();
+    event.size = sizeOf(asset.box(event.fragment));
     event.level = hit_.level;
     event.bonds = uint32_t(hit_.bonds.size());
     event.area = hit_.area;
@@ -31,8 +32,8 @@ void IslandWorld::addEvent(BreakEvent event, uint32_t index, uint32_t bodies) {
 
 void IslandWorld::addImpact(uint32_t index, uint32_t fragment, const ReportedHit& hit) {
     const uint32_t object = islands_[index].object;
-    const Asset* asset = objects_[object].asset.get();
-    impacts_.add({idOf(object), asset, fragment, sizeOf(asset->box(fragment)), hit.point,
+    const Asset& asset = *objects_[object].asset;
+    impacts_.add({idOf(object), &asset.original(), fragment, sizeOf(asset.box(fragment)), hit.point,
                   hit.normal, hit.impulse, hit.energy, hit.speed, time_});
 }
 
@@ -40,7 +41,7 @@ void IslandWorld::addImpact(uint32_t index, uint32_t fragment, const ReportedHit
 void IslandWorld::addIslandEvent(const IslandBody& body, uint32_t from) {
     IslandEvent event;
     event.object = body.object;
-    event.asset = body.asset;
+    event.asset = &body.asset->original();
     event.fragment = body.fragments.front();
     event.fragments = uint32_t(body.fragments.size());
     event.from = from;

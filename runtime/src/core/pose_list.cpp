@@ -41,7 +41,8 @@ void PoseList::noteChange(size_t first, size_t end) {
 void PoseList::append(const IslandWorld& world, uint32_t object) {
     firstOf_.push_back(poses_.size());
     const ObjectId id = world.idOf(object);
-    const Asset* asset = world.object(object).asset.get();
+    if (!world.object(object).asset) return;
+    const Asset& asset = *world.object(object).asset;
     members_.clear();
     for (const uint32_t i : world.object(object).islands)
         for (const uint32_t fragment : world.island(i).fragments)
@@ -51,7 +52,8 @@ void PoseList::append(const IslandWorld& world, uint32_t object) {
         std::sort(members_.begin(), members_.end());
     for (const auto& [fragment, i] : members_) {
         const IslandWorld::Island& island = world.island(i);
-        poses_.push_back({id, asset, fragment, island.pose, island.previous});
+        poses_.push_back(
+            {id, &asset.original(), fragment, island.pose, island.previous, asset.scale()});
         islandOf_.push_back(i);
     }
 }

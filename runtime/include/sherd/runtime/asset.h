@@ -29,11 +29,22 @@ class Asset {
     /// Checks every index, count and number of the set, whoever made it, and takes it over.
     static Result<std::shared_ptr<const Asset>> fromFractureSet(FractureSet set);
 
+    /// The same object `factor` times as large and of the same substance: lengths, areas, masses
+    /// and inertias by their powers of it. Drawn as the original, scaled: it has no vertices of its
+    /// own. The original itself for 1.
+    static Result<std::shared_ptr<const Asset>> scaled(const std::shared_ptr<const Asset>& asset,
+                                                       float factor);
+    /// Metres per metre of `original`.
+    [[nodiscard]] float scale() const { return scale_; }
+    /// What this is a scaled copy of: this when it is none.
+    [[nodiscard]] const Asset& original() const { return original_ ? *original_ : *this; }
+
     [[nodiscard]] const FractureSet& set() const { return set_; }
     [[nodiscard]] const std::string& name() const { return set_.name; }
 
-    /// Vertices and indices of all fragments of all levels: upload once, draw by `drawRanges`.
-    [[nodiscard]] const FractureGeometry& geometry() const { return set_.geometry; }
+    /// Vertices and indices of all fragments of all levels: upload once, draw by `drawRanges`. The
+    /// original's, in its size.
+    [[nodiscard]] const FractureGeometry& geometry() const { return original().set_.geometry; }
 
     [[nodiscard]] uint32_t fragmentCount() const { return uint32_t(set_.fragments.size()); }
     /// Name, physical material, mass, ... of one fragment.
@@ -60,7 +71,8 @@ class Asset {
     /// sum of toughness x area, J. 0 when they share none.
     [[nodiscard]] float breakEnergy(uint32_t f) const { return breakEnergy_[f]; }
 
-    /// Tells bakes apart: of the source's hash, the tree and the bonds (FNV-1a, 64 bit).
+    /// Tells bakes apart: of the source's hash, the tree and the bonds, with their size
+    /// (FNV-1a, 64 bit).
     [[nodiscard]] uint64_t bakeHash() const { return bakeHash_; }
 
     /// Diagonal of the object's bounding box, metres.
@@ -68,6 +80,7 @@ class Asset {
 
   private:
     explicit Asset(FractureSet set);
+    static Result<std::shared_ptr<const Asset>> checked(std::shared_ptr<const Asset> asset);
 
     FractureSet set_;
     std::vector<DrawRange> drawRanges_;
@@ -78,11 +91,22 @@ class Asset {
     std::vector<float> breakEnergy_;
     float diagonal_ = 0;
     uint64_t bakeHash_ = 0;
+    std::shared_ptr<const Asset> original_;  ///< null: this is one
+    float scale_ = 1;
 };
 
 /// The assets of a baked GLB, one per fractured object, in file order. A file that holds none is an
 /// error (`invalidData`): it was never baked, or a tool dropped the extension afterwards.
 Result<std::vector<std::shared_ptr<const Asset>>> loadAssets(std::span<const uint8_t> glb);
 Result<std::vector<std::shared_ptr<const Asset>>> loadAssets(const std::filesystem::path& path);
+
+/// The game's own way to its files: an archive, a patch, a network.
+struct FileReader {
+    void* user = nullptr;  ///< handed back
+    /// Fills `bytes` with the file. False: there is none, or it cannot be read. Must not throw.
+    bool (*read)(void* user, const char* path, std::vector<uint8_t>& bytes) = nullptr;
+};
+Result<std::vector<std::shared_ptr<const Asset>>> loadAssets(const FileReader& reader,
+                                                             const char* path);
 
 }  // namespace sherd

@@ -68,14 +68,15 @@ struct IslandEvent {
     double time = 0;
 };
 
-/// One thing to draw. Poses map the asset's vertices (object frame) to the world.
+/// One thing to draw. Poses map the asset's vertices (object frame), times `scale`, to the world.
 struct FragmentPose {
     ObjectId object;
     const Asset* asset = nullptr;
     uint32_t fragment = 0;
     RigidPose pose;  ///< after the last substep
     RigidPose
-        previous;  ///< one substep earlier; for a new fragment, where its part of the parent was
+        previous;     ///< one substep earlier; for a new fragment, where its part of the parent was
+    float scale = 1;  ///< of the instance
 };
 
 }  // namespace sherd

@@ -31,7 +31,7 @@ struct BodyMotion {
 struct IslandBody {
     uint32_t island = 0;  ///< number of the body, for as long as it lives
     ObjectId object;
-    const Asset* asset = nullptr;
+    const Asset* asset = nullptr;         ///< as large as the instance
     std::span<const uint32_t> fragments;  ///< whose colliders make it up, ascending
     float mass = 0;                       ///< kg; 0: it stands fixed
     glm::vec3 inertia{0.0F};              ///< along the axes of the frame, kg m^2; 0: fixed
@@ -102,6 +102,11 @@ class IslandWorld {
     ObjectId spawn(std::shared_ptr<const Asset> asset, const RigidPose& pose,
                    const DamageOptions& damage, bool dynamic, const BodyMotion& motion);
     void remove(uint32_t object);
+    /// The island's body is no more; what it consisted of is gone, and the object with its last.
+    void lose(uint32_t island);
+    /// Puts another asset's object in the place of one that is whole, sound and not pinned. False,
+    /// and nothing done, for others.
+    bool exchange(uint32_t object, std::shared_ptr<const Asset> asset);
 
     void setTime(double seconds) { time_ = seconds; }
     [[nodiscard]] double time() const { return time_; }

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "sherd/formats/result.h"
+#include "sherd/runtime/bullet/body_rule.h"
+#include "sherd/runtime/bullet/prepared_asset.h"
 #include "sherd/runtime/island_world.h"
 
 class btCollisionObject;
@@ -16,6 +18,9 @@ class btDynamicsWorld;
 class btRigidBody;
 
 namespace sherd {
+
+class GameListener;
+struct Advice;
 
 /// Who tells the DestructionWorld that a substep is over.
 enum class Drive {
@@ -28,7 +33,7 @@ struct WorldOptions {
     DamageOptions damage;  ///< for every object; each spawn may add its own
     /// Pieces released deeper inside each other than this share of the object's diagonal ignore
     /// each other until they are apart. > 0; smaller lets fewer touching pairs be ignored.
-    float overlapTolerance = 1e-5F;
+    float overlapTolerance = kOverlapTolerance;
     /// Iterations a substep that may be spent on what anchored, broken objects carry at rest; what
     /// is overloaded breaks. 0: walls stand however they are undercut.
     uint32_t stressIterations = 4;
@@ -36,6 +41,13 @@ struct WorldOptions {
     bool authority = true;
     /// Impacts of at least so much energy are listed by `impacts`, J; infinity: none.
     float leastImpact = 0.01F;
+    /// What comes off something that sleeps, and was not hit, sleeps until something touches it:
+    /// walls of any size stand, also those Bullet does not hold up. It sleeps, too, where its
+    /// support has just been broken away.
+    bool releaseAsleep = false;
+    /// Filters, friction and sweeping by level and size.
+    std::vector<BodyRule> rules;
+    GameListener* listener = nullptr;  ///< the game's, told of what happens to its bodies
     /// Events of each kind kept until they are asked for; later ones are dropped. >= 1
     uint32_t maxPendingEvents = 65536;
 };
@@ -51,6 +63,23 @@ struct SpawnOptions {
     int collisionMask = 0;   ///< Bullet's defaults
     /// Pins every leaf that touches something static where the object is put, a wall on its ground.
     bool anchorToStatic = false;
+    /// Times its size, > 0: masses grow with its cube, what breaking consumes with its square.
+    /// `placementOf` takes it out of a matrix, and refuses those that stretch.
+    float scale = 1;
+};
+
+struct AdoptOptions {
+    RigidPose objectToBody;  ///< where the asset's object frame is in the body's
+    float scale = 1;         ///< of the asset, > 0
+    DamageOptions damage;
+    int collisionGroup = 0;  ///< Bullet filter bits of what comes off; both 0: the body's own
+    int collisionMask = 0;
+};
+
+/// What became of the objects of an asset.
+struct Reload {
+    uint32_t exchanged = 0;
+    std::vector<ObjectId> kept;  ///< broken, weakened, anchored by the game, or adopted
 };
 
 /// What a Bullet body of Sherd's stands for.
@@ -72,10 +101,31 @@ class DestructionWorld {
     DestructionWorld& operator=(const DestructionWorld&) = delete;
 
     /// Puts an intact object into the world. `pose` places the asset's object frame; the place it
-    /// had in its own scene is `asset->set().restPose`. The first spawn of an asset makes its
-    /// shapes; they and the asset are kept for as long as this DestructionWorld lives.
+    /// had in its own scene is `asset->set().restPose`. The first spawn of an asset in a size makes
+    /// its shapes; they and the asset are kept until `trim`.
     Result<ObjectId> spawn(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
                            const SpawnOptions& options = {});
+
+    /// The same with a body of the game's as the intact object, which must be in the Bullet world
+    /// and look like it. It stays the game's and as it is until something comes off, or it cracks;
+    /// then bodies of Sherd's take its place, with its motion and the masses of the asset, and
+    /// `GameListener::onReplace` is called. Sherd uses its user index 3 until then. The game may
+    /// take it out of the world, which is noticed, or have it back by `remove`.
+    Result<ObjectId> adopt(btRigidBody& body, const std::shared_ptr<const Asset>& asset,
+                           const AdoptOptions& options = {});
+
+    /// Shapes that were made elsewhere: spawns of that asset in that size need make none.
+    Result<void> use(const PreparedAsset& prepared);
+    /// Forgets the shapes of assets that no object is of and nobody else holds.
+    void trim();
+    /// Puts a new bake in the place of all whole objects of an old one, where they are and as they
+    /// move. What is broken keeps the old one.
+    Result<Reload> reload(const std::shared_ptr<const Asset>& old,
+                          const std::shared_ptr<const Asset>& fresh);
+
+    /// What of Bullet's settings makes breaking dearer or worse than it must be; the game decides.
+    /// Depends on what was spawned and on the last step.
+    [[nodiscard]] std::vector<Advice> advice() const;
 
     /// Takes the object and all its fragments out. False when the handle is no longer valid.
     bool remove(ObjectId object);
@@ -103,6 +153,9 @@ class DestructionWorld {
     bool breakAll(ObjectId object);
     /// Breaks a standing fragment out of its neighbours, whole. False when it does not stand.
     bool detach(ObjectId object, uint32_t fragment);
+    /// Stops the body that a standing fragment is part of, and lets it sleep until something
+    /// touches it. False when the fragment does not stand; one that stands fixed stays as it is.
+    bool freeze(ObjectId object, uint32_t fragment = 0);
     /// Gives bonds that are not broken `share` of their energy back, 0..1.
     bool heal(ObjectId object, float share = 1);
 
@@ -141,7 +194,8 @@ class DestructionWorld {
     [[nodiscard]] bool isAlive(ObjectId object) const;
 
     /// The body that a standing fragment is part of, or null. The largest part of what breaks keeps
-    /// its body. The game may push it; it must not delete it.
+    /// its body. The game may push it, put constraints on it, and take it out of the Bullet world
+    /// and put it in again: it must not delete it, which only is noticed, and its part gone.
     [[nodiscard]] btRigidBody* body(ObjectId object, uint32_t fragment = 0) const;
 
     /// What a body found by the game (ray cast, contact) stands for; nothing when it is not
