@@ -122,12 +122,15 @@ BodyMotion BulletBodies::motion(uint32_t island) const {
 
 bool BulletBodies::readPoses(IslandWorld& islands) {
     bool isTouchable = false;
+    awakeDebris_ = 0;
     for (uint32_t i = 0; i < bodies_.size(); ++i) {
         Body& slot = bodies_[i];
         if (!slot.body) continue;
         // As Bullet's own motion states, what sleeps is not asked where it is.
         const bool isActive = slot.body->isActive();
-        isTouchable = isTouchable || isActive || slot.body->isStaticObject();
+        const bool isFixed = slot.body->getInvMass() == 0;
+        isTouchable = isTouchable || isActive || isFixed;
+        if (isActive && !isFixed && slot.firstFragment != 0) ++awakeDebris_;
         if (!isActive && slot.isStill) continue;
         const btTransform& now = slot.body->getWorldTransform();
         const bool isStill = now == slot.seen;

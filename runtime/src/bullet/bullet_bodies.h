@@ -44,6 +44,9 @@ class BulletBodies final : public BodyTable {
     /// done anything to them: Bullet wakes what is touched.
     bool readPoses(IslandWorld& islands);
 
+    /// Pieces that were awake and moving at the last `readPoses`.
+    [[nodiscard]] uint32_t awakeDebris() const { return awakeDebris_; }
+
     /// The body was moved by hand; its island knows where.
     void noteTransform(uint32_t island) {
         bodies_[island].seen = bodies_[island].body->getWorldTransform();
@@ -84,6 +87,7 @@ class BulletBodies final : public BodyTable {
     std::vector<Filter> filters_;  ///< per object
     std::optional<Filter> nextFilter_;
     std::vector<Body> bodies_;  ///< per island
+    uint32_t awakeDebris_ = 0;
     bool inStep_ = false;
 };
 

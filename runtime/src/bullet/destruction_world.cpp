@@ -6,6 +6,7 @@
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 
@@ -94,6 +95,8 @@ class DestructionWorld::Impl final : public btActionInterface {
           bodies(bullet, options.overlapTolerance),
           islands(bodies, options.maxPendingEvents),
           breaker(bullet, bodies, islands) {
+        islands.allowBodies(settings.maxNewBodiesPerStep);
+        islands.allowAwake(settings.maxAwakeBodies);
         if (settings.drive == Drive::action) world.addAction(this);
     }
     ~Impl() override {
@@ -111,12 +114,16 @@ class DestructionWorld::Impl final : public btActionInterface {
         islands.setTime(islands.time() + double(dt));
         bodies.released().releaseSeparated();
         const bool isTouchable = bodies.readPoses(islands);
-        if (!isTouchable || !settings.authority) return;
-        bodies.setInStep(inStep);
-        breaker.step(dt, inStep);
-        islands.workOnStress(toGlm(world.getGravity()), settings.stressIterations);
-        bodies.setInStep(false);
-        bodies.released().settle();
+        const uint32_t awake = bodies.awakeDebris();
+        islands.allowAwake(settings.maxAwakeBodies - std::min(settings.maxAwakeBodies, awake));
+        if (isTouchable && settings.authority) {
+            bodies.setInStep(inStep);
+            breaker.step(dt, inStep);
+            islands.workOnStress(toGlm(world.getGravity()), settings.stressIterations);
+            bodies.setInStep(false);
+            bodies.released().settle();
+        }
+        islands.allowBodies(settings.maxNewBodiesPerStep);
     }
 
     /// Leaves whose shape, at its place in the world, is wanted.

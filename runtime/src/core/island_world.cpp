@@ -6,10 +6,18 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "core/budget.h"
 #include "core/mass_properties.h"
 #include "core/rigid_pose.h"
 
 namespace sherd {
+
+IslandWorld::IslandWorld(BodyTable& bodies, uint32_t maxPendingEvents)
+    : bodies_(bodies),
+      maxPendingEvents_(maxPendingEvents),
+      merger_(std::make_unique<IslandMerger>()) {}
+
+IslandWorld::~IslandWorld() = default;
 
 uint32_t IslandWorld::takeIsland() {
     if (freeIslands_.empty()) {
@@ -115,7 +123,7 @@ void IslandWorld::create(IslandBody body) {
     posesListed_ = false;
 }
 
-IslandWorld::Change IslandWorld::regroup(uint32_t index) {
+IslandWorld::Change IslandWorld::regroup(uint32_t index, bool isLimited) {
     Island& island = islands_[index];
     const Structure& structure = *objects_[island.object].structure;
     std::vector<uint32_t>& fragments = island.fragments;
@@ -132,9 +140,27 @@ IslandWorld::Change IslandWorld::regroup(uint32_t index) {
     }
     std::sort(fragments.begin(), fragments.end());
     groups_.find(structure, fragments);
+    if (isLimited) keepToBudget(index);
     const auto groups = groups_.islands();
     if (groups.size() > 1 || island.isAnchored != groups[0].anchored) change_ = Change::apart;
     return change_;
+}
+
+void IslandWorld::keepToBudget(uint32_t index) {
+    const uint32_t allowed = std::min(budget_.bodies, std::max(budget_.awake, 1U));
+    if (groups_.islands().size() - 1 <= allowed) return;
+    Structure& structure = *objects_[islands_[index].object].structure;
+    if (!merger_->limit(structure, groups_, allowed + 1, hit_)) return;
+    // Some may have been closed again.
+    std::vector<uint32_t>& fragments = islands_[index].fragments;
+    for (uint32_t& fragment : fragments)
+        fragment = structure.fragmentAt(structure.graph().leavesOf(fragment).first);
+    std::sort(fragments.begin(), fragments.end());
+    fragments.erase(std::unique(fragments.begin(), fragments.end()), fragments.end());
+    groups_.find(structure, fragments);
+    if (hit_.opened.empty()) change_ = Change::none;
+    if (structure.fragmentAt(structure.graph().leavesOf(hit_.struck).first) != hit_.struck)
+        hit_.struck = structure.fragmentAt(structure.graph().leavesOf(hit_.struck).first);
 }
 
 std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
@@ -202,6 +228,9 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
             return islands_[x].fragments.front() < islands_[y].fragments.front();
         });
         change_ = Change::none;
+        const auto created = uint32_t(split_.size() - 1);
+        budget_.bodies -= std::min(budget_.bodies, created);
+        budget_.awake -= std::min(budget_.awake, created);
     }
     if (hit_.brokeSomething()) addEvent(event, index, uint32_t(split_.size()) - 1);
     hit_.clear();

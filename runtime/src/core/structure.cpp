@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace sherd {
+namespace {
+
+constexpr float kAlmostAll = 1 - 0x1p-20F;  // that a bond can lose without breaking
+
+}  // namespace
 
 void Structure::prepare() {
     if (!lost_.empty()) return;
@@ -12,7 +17,6 @@ void Structure::prepare() {
 }
 
 void Structure::weaken(uint32_t bond, float share) {
-    constexpr float kAlmostAll = 1 - 0x1p-20F;
     prepare();
     if (!(lost_[bond] < kAlmostAll)) return;
     lost_[bond] = std::min(lost_[bond] + share, kAlmostAll);
@@ -21,6 +25,10 @@ void Structure::weaken(uint32_t bond, float share) {
 void Structure::breakBond(uint32_t bond) {
     prepare();
     lost_[bond] = 1;
+}
+
+void Structure::hold(uint32_t bond) {
+    if (isBroken(bond)) lost_[bond] = kAlmostAll;
 }
 
 void Structure::strengthen(uint32_t bond, float share) {
@@ -42,6 +50,11 @@ void Structure::open(uint32_t fragment) {
         const Range leaves = graph().leavesOf(c);
         std::fill_n(standing_.begin() + leaves.first, leaves.count, c);
     }
+}
+
+void Structure::close(uint32_t fragment) {
+    const Range leaves = graph().leavesOf(fragment);
+    if (isDamaged()) std::fill_n(standing_.begin() + leaves.first, leaves.count, fragment);
 }
 
 void IslandFinder::find(const Structure& structure, std::span<const uint32_t> fragments) {

@@ -48,6 +48,8 @@ struct ReportedHit {
     float impulse = 0;       ///< N s, for the event and the minimum of the options
 };
 
+class IslandMerger;
+
 /// A physics engine, as far as breaking needs one. Calls come from within the calls of IslandWorld.
 class BodyTable {
   public:
@@ -68,9 +70,8 @@ class BodyTable {
 /// used again last in, first out, so equal calls give equal numbers.
 class IslandWorld {
   public:
-    explicit IslandWorld(BodyTable& bodies, uint32_t maxPendingEvents = 65536)
-        : bodies_(bodies), maxPendingEvents_(maxPendingEvents) {}
-    ~IslandWorld() = default;
+    explicit IslandWorld(BodyTable& bodies, uint32_t maxPendingEvents = 65536);
+    ~IslandWorld();
     IslandWorld(const IslandWorld&) = delete;
     IslandWorld& operator=(const IslandWorld&) = delete;
 
@@ -98,6 +99,14 @@ class IslandWorld {
                    const DamageOptions& damage, bool dynamic, const BodyMotion& motion);
     void remove(uint32_t object);
 
+    /// How many islands may still come off until the next call, by hits, area damage and load.
+    /// Where there would be more, they are fewer and larger now. What the game breaks piece by
+    /// piece
+    /// (`breakFragment`, `breakAll`, pins) comes off whatever this says, and counts.
+    void allowBodies(uint32_t count) { budget_.bodies = count; }
+    /// The same of islands that move; one a hit always may.
+    void allowAwake(uint32_t count) { budget_.awake = count; }
+
     void setTime(double seconds) { time_ = seconds; }
     [[nodiscard]] double time() const { return time_; }
     /// A substep is over: where an island's object frame is now.
@@ -121,7 +130,7 @@ class IslandWorld {
         apart,  ///< it comes apart, off its anchors or to new ones
     };
     /// What the object's structure makes of the island now.
-    Change regroup(uint32_t island);
+    Change regroup(uint32_t island) { return regroup(island, true); }
     /// Carries out what the last `regroup`, of this island, found: every group but the heaviest
     /// becomes an island of its own, with the velocity its part had. Lists an event if the last
     /// strike broke something. Returns the islands there are now, the old one first; valid until
@@ -139,7 +148,9 @@ class IslandWorld {
     [[nodiscard]] float overload(uint32_t object, uint32_t bond) const;
 
     /// Damage in the world's frame. Returns the bonds broken.
-    uint32_t dealArea(uint32_t object, const AreaDamage& damage);
+    uint32_t dealArea(uint32_t object, const AreaDamage& damage) {
+        return dealArea(object, damage, true);
+    }
     bool breakFragment(uint32_t object, uint32_t fragment, bool whole);
     void breakAll(uint32_t object);
     /// Pins leaves, or lets them go, and has the bodies follow.
@@ -178,7 +189,10 @@ class IslandWorld {
     [[nodiscard]] IslandBody describe(uint32_t island) const;
     void create(IslandBody body);
     void removeIslands(Object& object);
-    void settle(uint32_t island, uint32_t fragment, BreakEvent event);
+    Change regroup(uint32_t island, bool isLimited);
+    void keepToBudget(uint32_t island);
+    uint32_t dealArea(uint32_t object, const AreaDamage& damage, bool isLimited);
+    void settle(uint32_t island, uint32_t fragment, BreakEvent event, bool isLimited);
     void strain(uint32_t island);
     void addEvent(BreakEvent event, uint32_t island, uint32_t bodies);
 
@@ -197,6 +211,11 @@ class IslandWorld {
     IslandFinder groups_;  ///< of the island regrouped last
     Change change_ = Change::none;
     std::vector<uint32_t> split_;
+    struct Budget {
+        uint32_t bodies = UINT32_MAX, awake = UINT32_MAX;
+    };
+    Budget budget_;
+    std::unique_ptr<IslandMerger> merger_;
 
     StressSolver stress_;
     uint32_t stressed_ = UINT32_MAX;  ///< the island that is solved now

@@ -39,8 +39,12 @@ class Structure {
     void breakBond(uint32_t bond);
     /// Gives `share` of its energy back to a bond that is not broken.
     void strengthen(uint32_t bond, float share);
+    /// What was just broken holds after all, by next to nothing.
+    void hold(uint32_t bond);
     /// Puts a fragment's children in its place. It must stand and have some.
     void open(uint32_t fragment);
+    /// Puts a fragment back in the place of all that has come out of it.
+    void close(uint32_t fragment);
 
     /// Holds a leaf to the world, or lets it go: an anchor that no hit breaks.
     void pin(uint32_t leaf, bool pinned);
