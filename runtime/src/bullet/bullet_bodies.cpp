@@ -65,7 +65,9 @@ void BulletBodies::create(const IslandBody& island) {
     if (filters_.size() <= object) filters_.resize(object + 1);
     if (nextFilter_) filters_[object] = *std::exchange(nextFilter_, std::nullopt);
     Body& slot = bodies_[island.island];
-    slot.body = std::make_unique<btRigidBody>(describe(slot, island));
+    auto body = std::make_unique<DebrisBody>(describe(slot, island));
+    slot.freezable = body.get();
+    slot.body = std::move(body);
     slot.body->setUserIndex3(int(island.island));
     slot.seen = slot.body->getWorldTransform();
     slot.isStill = false;
@@ -73,11 +75,34 @@ void BulletBodies::create(const IslandBody& island) {
     addToWorld(slot);
     // Bullet applies gravity once before all substeps of a step and clears it after the last.
     if (inStep_ && island.mass > 0) slot.body->applyGravity();
+    watchQuiet(island);
+}
+
+/// Only pieces that came off freeze: what is whole sleeps as the game's own bodies do.
+void BulletBodies::watchQuiet(const IslandBody& island) {
+    const Body& slot = bodies_[island.island];
+    quiet_.add(island.island, *slot.body, slot.firstFragment != 0 ? slot.freezable : nullptr,
+               island.mass, toBullet(island.inertia));
+}
+
+/// Bullet lets sleep what lay on a body that goes.
+void BulletBodies::wakeAround(const btRigidBody& body) {
+    struct Wake : btBroadphaseAabbCallback {
+        bool process(const btBroadphaseProxy* proxy) override {
+            auto* object = static_cast<btCollisionObject*>(proxy->m_clientObject);
+            if (!object->isStaticOrKinematicObject()) object->activate();
+            return true;
+        }
+    };
+    Wake wake;
+    const btBroadphaseProxy& proxy = *body.getBroadphaseProxy();
+    world_.getBroadphase()->aabbTest(proxy.m_aabbMin, proxy.m_aabbMax, wake);
 }
 
 /// Out of the world and in again: Bullet sorts bodies into fixed and moving ones when they are
 /// added, and holds contacts of the old shape.
 void BulletBodies::update(const IslandBody& island) {
+    quiet_.forget(island.island);
     Body& slot = bodies_[island.island];
     btRigidBody& body = *slot.body;
     const bool isInWorld = body.isInWorld();
@@ -101,13 +126,19 @@ void BulletBodies::update(const IslandBody& island) {
     if (isInWorld) addToWorld(slot);
     if (inStep_ && island.mass > 0)
         body.applyCentralForce(body.getGravity() * body.getMass() - weight);
+    watchQuiet(island);
 }
 
 void BulletBodies::remove(uint32_t island) {
     Body& slot = bodies_[island];
     released_.forget(island);
-    if (slot.body->isInWorld()) world_.removeRigidBody(slot.body.get());
+    quiet_.forget(island);
+    if (slot.body->isInWorld()) {
+        wakeAround(*slot.body);
+        world_.removeRigidBody(slot.body.get());
+    }
     slot.body.reset();
+    slot.freezable = nullptr;
     slot.shape.reset();
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bullet/fragment_shapes.h"
+#include "bullet/quiet_debris.h"
 #include "bullet/released_pairs.h"
 #include "sherd/runtime/island_world.h"
 
@@ -18,8 +19,8 @@ namespace sherd {
 /// Bullet's bodies of an IslandWorld, by the islands' numbers.
 class BulletBodies final : public BodyTable {
   public:
-    BulletBodies(btDynamicsWorld& world, float overlapTolerance)
-        : released_(*this, overlapTolerance), world_(world) {}
+    BulletBodies(btDynamicsWorld& world, float overlapTolerance, float freezeAfter)
+        : released_(*this, overlapTolerance), quiet_(world, freezeAfter), world_(world) {}
     ~BulletBodies() override;
     BulletBodies(const BulletBodies&) = delete;
     BulletBodies& operator=(const BulletBodies&) = delete;
@@ -60,12 +61,14 @@ class BulletBodies final : public BodyTable {
     /// The fragment that a child of the body's shape belongs to; the first for -1.
     [[nodiscard]] uint32_t fragmentOf(uint32_t island, int child) const;
     [[nodiscard]] FragmentShapes& shapesOf(const Asset& asset) const;
+    [[nodiscard]] QuietDebris& quiet() { return quiet_; }
     [[nodiscard]] ReleasedPairs& released() { return released_; }
     [[nodiscard]] const ReleasedPairs& released() const { return released_; }
 
   private:
     struct Body {
         std::unique_ptr<btRigidBody> body;   ///< null: there is none
+        DebrisBody* freezable = nullptr;     ///< the same, made here
         std::unique_ptr<IslandShape> shape;  ///< null: its only fragment's own
         uint32_t object = 0;
         uint32_t firstFragment = 0;
@@ -81,7 +84,11 @@ class BulletBodies final : public BodyTable {
     void addToWorld(Body& slot);
     static void move(btRigidBody& body, const BodyMotion& motion);
 
+    void watchQuiet(const IslandBody& island);
+    void wakeAround(const btRigidBody& body);
+
     ReleasedPairs released_;
+    QuietDebris quiet_;
     btDynamicsWorld& world_;
     std::vector<std::unique_ptr<FragmentShapes>> shapes_;
     std::vector<Filter> filters_;  ///< per object

@@ -72,8 +72,9 @@ bool touchesStatic(btCollisionWorld& world, btCollisionShape& shape, const btTra
 
 /// Pushes a body away from a point: N s per m^2 of the circle that its bounding sphere shows it,
 /// falling evenly to nothing at `radius`.
-void throwFrom(btRigidBody& body, const glm::vec3& point, float radius, float impulsePerArea) {
-    if (body.isStaticObject()) return;
+void throwFrom(btRigidBody& body, QuietDebris& quiet, uint32_t island, const glm::vec3& point,
+               float radius, float impulsePerArea) {
+    if (body.getInvMass() == 0) return;
     const btVector3 away = body.getCenterOfMassPosition() - toBullet(point);
     const btScalar distance = away.length();
     if (!(distance < radius) || !(distance > 0)) return;
@@ -81,6 +82,7 @@ void throwFrom(btRigidBody& body, const glm::vec3& point, float radius, float im
     btScalar size = 0;
     body.getCollisionShape()->getBoundingSphere(center, size);
     const btScalar area = SIMD_PI * size * size;
+    quiet.wake(island);
     body.activate();
     body.applyCentralImpulse(away / distance * impulsePerArea * area * (1 - distance / radius));
 }
@@ -92,7 +94,7 @@ class DestructionWorld::Impl final : public btActionInterface {
     Impl(btDynamicsWorld& bullet, const WorldOptions& options)
         : world(bullet),
           settings(options),
-          bodies(bullet, options.overlapTolerance),
+          bodies(bullet, options.overlapTolerance, options.freezeAfter),
           islands(bodies, options.maxPendingEvents),
           breaker(bullet, bodies, islands) {
         islands.allowBodies(settings.maxNewBodiesPerStep);
@@ -123,6 +125,7 @@ class DestructionWorld::Impl final : public btActionInterface {
             bodies.setInStep(false);
             bodies.released().settle();
         }
+        bodies.quiet().step(islands.time(), inStep);
         islands.allowBodies(settings.maxNewBodiesPerStep);
     }
 
@@ -249,7 +252,8 @@ Result<uint32_t> DestructionWorld::explode(const AreaDamage& damage, float impul
     if (!broken) return broken;
     for (uint32_t i = 0; i < impl_->islands.islands().size(); ++i)
         if (impl_->islands.island(i).isAlive)
-            throwFrom(impl_->bodies.body(i), damage.a, damage.radius, impulsePerArea);
+            throwFrom(impl_->bodies.body(i), impl_->bodies.quiet(), i, damage.a, damage.radius,
+                      impulsePerArea);
     return broken;
 }
 
@@ -368,6 +372,23 @@ float DestructionWorld::overload(ObjectId object, uint32_t bond) const {
 
 uint32_t DestructionWorld::bodyCount() const {
     return impl_->islands.islandCount();
+}
+
+uint32_t DestructionWorld::frozenCount() const {
+    return impl_->bodies.quiet().frozenCount();
+}
+
+bool DestructionWorld::isFrozen(ObjectId object, uint32_t fragment) const {
+    const uint32_t island = impl_->find(object, fragment);
+    return island != UINT32_MAX && impl_->bodies.quiet().isFrozen(island);
+}
+
+bool DestructionWorld::wake(ObjectId object, uint32_t fragment) {
+    const uint32_t island = impl_->find(object, fragment);
+    if (island == UINT32_MAX) return false;
+    impl_->bodies.quiet().wake(island);
+    impl_->bodies.body(island).activate();
+    return true;
 }
 
 uint32_t DestructionWorld::ignoredPairCount() const {

@@ -42,6 +42,12 @@ struct WorldOptions {
     /// 300 awake takes Bullet 6 to 10 ms a step. UINT32_MAX: no limit. `breakFragment`, `detach`,
     /// `breakAll` and anchors let go do what they say, over both.
     uint32_t maxAwakeBodies = 250;
+    /// Seconds that a piece must lie quiet on something firm before it is frozen, > 0; infinite:
+    /// never. A frozen piece is asleep by itself, whatever rolls through the heap (Bullet lets only
+    /// a heap sleep as a whole), and static to Bullet; it keeps its mass, and wakes by touch, by
+    /// losing its support, or when the game pushes or moves it. Bodies set to DISABLE_DEACTIVATION,
+    /// and those with constraints, are left alone, and so is everything without gravity.
+    float freezeAfter = 0.5F;
     /// Break events kept until `events` is called; later ones are dropped. >= 1
     uint32_t maxPendingEvents = 65536;
 };
@@ -150,6 +156,12 @@ class DestructionWorld {
 
     /// Bodies of Sherd's in the world now.
     [[nodiscard]] uint32_t bodyCount() const;
+
+    /// Pieces that lie frozen, and whether one does.
+    [[nodiscard]] uint32_t frozenCount() const;
+    [[nodiscard]] bool isFrozen(ObjectId object, uint32_t fragment) const;
+    /// Wakes the body of a standing fragment and what touches it, as `activate` does in Bullet.
+    bool wake(ObjectId object, uint32_t fragment);
 
     /// How overloaded a bond is under its load, of the anchored object that was solved last: > 1
     /// breaks; 0: not known.
