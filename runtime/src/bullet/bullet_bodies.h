@@ -30,7 +30,10 @@ class BulletBodies final : public BodyTable {
     /// Bullet's filter bits for bodies of the object that comes next; both 0: Bullet's defaults.
     void setNextFilter(int group, int mask) { nextFilter_ = Filter{group, mask}; }
     /// Whether Bullet has given its gravity for this step already; new bodies must have theirs.
-    void setInStep(bool inStep) { inStep_ = inStep; }
+    void setInStep(bool inStep) {
+        inStep_ = inStep;
+        quiet_.setInStep(inStep);
+    }
 
     void create(const IslandBody& body) override;
     void update(const IslandBody& body) override;

@@ -14,6 +14,7 @@
 #include "bullet/bullet_bodies.h"
 #include "bullet/convert.h"
 #include "bullet/object_snapshot.h"
+#include "core/debris.h"
 #include "core/finite.h"
 #include "core/structure_bytes.h"
 
@@ -42,7 +43,7 @@ Result<void> checkSpawn(const std::shared_ptr<const Asset>& asset, const RigidPo
     return {};
 }
 
-constexpr uint32_t kSavedObject = 0x31484453;  // "SDH1": what it is, and its version
+constexpr uint32_t kSavedObject = 0x32484453;  // "SDH2": what it is, and its version
 
 constexpr float kTouch = 1e-3F;  // of the object's diagonal: how near is touching
 
@@ -96,7 +97,9 @@ class DestructionWorld::Impl final : public btActionInterface {
           settings(options),
           bodies(bullet, options.overlapTolerance, options.freezeAfter),
           islands(bodies, options.maxPendingEvents),
-          breaker(bullet, bodies, islands) {
+          breaker(bullet, bodies, islands),
+          debris(options.debris) {
+        islands.setFade(settings.debris.fade);
         islands.allowBodies(settings.maxNewBodiesPerStep);
         islands.allowAwake(settings.maxAwakeBodies);
         if (settings.drive == Drive::action) world.addAction(this);
@@ -125,7 +128,10 @@ class DestructionWorld::Impl final : public btActionInterface {
             bodies.setInStep(false);
             bodies.released().settle();
         }
-        bodies.quiet().step(islands.time(), inStep);
+        bodies.setInStep(inStep);
+        debris.step(islands);
+        bodies.quiet().step(islands.time());
+        bodies.setInStep(false);
         islands.allowBodies(settings.maxNewBodiesPerStep);
     }
 
@@ -160,6 +166,7 @@ class DestructionWorld::Impl final : public btActionInterface {
     BulletBodies bodies;
     IslandWorld islands;
     Breaker breaker;
+    Debris debris;
 };
 
 DestructionWorld::DestructionWorld(btDynamicsWorld& world, const WorldOptions& options)
@@ -320,7 +327,10 @@ Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t>
     if (!from.isAtEnd() || !std::isfinite(savedAt))
         return fail(ErrorCode::invalidData, "the saved object does not end where it should",
                     "bytes");
-    for (auto& island : snapshot->islands) island.bornAt += time() - savedAt;
+    for (auto& island : snapshot->islands) {
+        island.bornAt += time() - savedAt;
+        island.fadingSince += time() - savedAt;
+    }
     impl_->islands.replace(object.index, std::move(*snapshot->structure),
                            std::move(snapshot->islands));
     for (size_t i = 0; i < restored.islands.size(); ++i) {
@@ -344,6 +354,21 @@ std::span<const FragmentPose> DestructionWorld::poses() const {
 
 std::span<const BreakEvent> DestructionWorld::events() {
     return impl_->islands.takeEvents();
+}
+
+std::span<const RemovalEvent> DestructionWorld::removals() {
+    return impl_->islands.takeRemovals();
+}
+
+bool DestructionWorld::removePiece(ObjectId object, uint32_t fragment) {
+    const uint32_t island = impl_->find(object, fragment);
+    if (island == UINT32_MAX) return false;
+    impl_->islands.removeIsland(island, RemovalReason::game);
+    return true;
+}
+
+void DestructionWorld::setViewer(const glm::vec3& position) {
+    if (isFinite(position)) impl_->debris.setViewer(position);
 }
 
 bool DestructionWorld::isAlive(ObjectId object) const {

@@ -324,7 +324,7 @@ void QuietDebris::watch(uint32_t island, double time) {
     node.since = time;
 }
 
-void QuietDebris::step(double time, bool inStep) {
+void QuietDebris::step(double time) {
     time_ = time;
     ++tick_;
     for (const uint32_t island : held_) letGo(nodes_[island]);
@@ -347,11 +347,9 @@ void QuietDebris::step(double time, bool inStep) {
         }
     }
     checkOthers();
-    giveGravity_ = inStep;
     for (const uint32_t island : gone_) thawBorne(island);
     for (const uint32_t island : touched_)
         if (nodes_[island].isFrozen) thaw(island);
-    giveGravity_ = false;
     if (tick_ % kRound == 0 && std::isfinite(after_)) freezeQuiet(time);
 }
 

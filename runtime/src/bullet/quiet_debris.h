@@ -55,8 +55,10 @@ class QuietDebris {
     /// It is about to change or to go: it thaws, and so does what it bore or touched.
     void forget(uint32_t island);
 
-    /// After a substep. `inStep`: Bullet has given its gravity for this step already.
-    void step(double time, bool inStep);
+    /// After a substep.
+    void step(double time);
+    /// Whether Bullet has given its gravity for this step already; what thaws must have its.
+    void setInStep(bool inStep) { giveGravity_ = inStep; }
     /// Thaws a piece and what it touches, such as before it is pushed.
     void wake(uint32_t island);
 
@@ -127,7 +129,7 @@ class QuietDebris {
 
     btDynamicsWorld& world_;
     float after_;
-    bool giveGravity_ = false;  ///< to what thaws: Bullet has given that of this step already
+    bool giveGravity_ = false;  ///< to what thaws
     double time_ = 0;
     uint32_t tick_ = 0;
     uint32_t frozenCount_ = 0;

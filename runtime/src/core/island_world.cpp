@@ -47,6 +47,7 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     Island& island = islands_[slot];
     island.object = index;
     island.fragments.assign(1, 0);
+    island.mass = double(object.asset->fragment(0).mass);
     island.isAnchored = object.asset->graph().isAnchored(0);
     island.isFixed = !dynamic || island.isAnchored;
     island.bornAt = -HUGE_VAL;
@@ -58,18 +59,21 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     return idOf(index);
 }
 
+void IslandWorld::dropIsland(uint32_t island) {
+    bodies_.remove(island);
+    islands_[island].isAlive = false;
+    --islandCount_;
+    // Its number may be given to another object's.
+    if (island == stressed_) isStressNew_ = true;
+    std::erase(strained_, island);
+}
+
 void IslandWorld::removeIslands(Object& object) {
-    for (const uint32_t island : object.islands) {
-        bodies_.remove(island);
-        islands_[island].isAlive = false;
-        --islandCount_;
-        // Its number may be given to another object's.
-        if (island == stressed_) isStressNew_ = true;
-        std::erase(strained_, island);
-    }
+    for (const uint32_t island : object.islands) dropIsland(island);
     // Backwards, so that the slots are handed out again in the order they were given up.
     freeIslands_.insert(freeIslands_.end(), object.islands.rbegin(), object.islands.rend());
     object.islands.clear();
+    object.heaviest = UINT32_MAX;
     posesListed_ = false;
 }
 
@@ -115,6 +119,9 @@ IslandBody IslandWorld::describe(uint32_t index) const {
 void IslandWorld::create(IslandBody body) {
     Island& island = islands_[body.island];
     island.isAlive = true;
+    island.keptAt = -HUGE_VAL;
+    island.fadingSince = HUGE_VAL;
+    objects_[island.object].heaviest = UINT32_MAX;
     ++islandCount_;
     island.frame = body.frame;
     if (island.isFixed) body.motion = {};
@@ -187,6 +194,7 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
             const std::span<const uint32_t> fragments = groups_.fragmentsOf(groups[group]);
             island.fragments.assign(fragments.begin(), fragments.end());
             island.isAnchored = groups[group].anchored;
+            island.mass = groups[group].mass;
         };
         for (size_t g = 0; g < groups.size(); ++g) {
             if (g == heaviest) continue;
@@ -247,6 +255,9 @@ void IslandWorld::replace(uint32_t index, Structure&& structure,
         Island& island = islands_[slot];
         island.object = index;
         island.fragments = std::move(from.fragments);
+        island.mass = 0;
+        for (const uint32_t f : island.fragments)
+            island.mass += double(object.asset->fragment(f).mass);
         island.isFixed = from.isFixed;
         island.isAnchored = from.isAnchored;
         island.bornAt = from.bornAt;
@@ -256,6 +267,7 @@ void IslandWorld::replace(uint32_t index, Structure&& structure,
         IslandBody body = describe(slot);
         body.motion = from.motion;
         create(body);
+        islands_[slot].fadingSince = from.fadingSince;
         strain(slot);
     }
 }
@@ -274,13 +286,16 @@ void IslandWorld::follow(uint32_t island) {
 std::span<const FragmentPose> IslandWorld::poses() {
     if (posesListed_) return poses_;
     poses_.clear();
+    anyFading_ = false;
     for (uint32_t o = 0; o < objects_.size(); ++o) {
         const size_t first = poses_.size();
         for (const uint32_t i : objects_[o].islands) {
             const Island& island = islands_[i];
+            const float fade = fadeOf(island);
+            anyFading_ = anyFading_ || island.isFading();
             for (const uint32_t fragment : island.fragments)
-                poses_.push_back(
-                    {idOf(o), objects_[o].asset.get(), fragment, island.pose, island.previous});
+                poses_.push_back({idOf(o), objects_[o].asset.get(), fragment, island.pose,
+                                  island.previous, fade});
         }
         std::sort(
             poses_.begin() + std::ptrdiff_t(first), poses_.end(),

@@ -35,6 +35,13 @@ void Structure::strengthen(uint32_t bond, float share) {
     if (isDamaged() && !isBroken(bond)) lost_[bond] = std::max(lost_[bond] - share, 0.0F);
 }
 
+void Structure::discard(uint32_t fragment) {
+    prepare();
+    if (gone_.empty()) gone_.assign(graph().leafCount(), 0);
+    const Range leaves = graph().leavesOf(fragment);
+    std::fill_n(gone_.begin() + leaves.first, leaves.count, uint8_t(1));
+}
+
 void Structure::pin(uint32_t leaf, bool pinned) {
     if (pins_.empty()) {
         if (!pinned) return;

@@ -44,7 +44,8 @@ struct FragmentPose {
     uint32_t fragment = 0;
     RigidPose pose;  ///< after the last substep
     RigidPose
-        previous;  ///< one substep earlier; for a new fragment, where its part of the parent was
+        previous;    ///< one substep earlier; for a new fragment, where its part of the parent was
+    float fade = 0;  ///< 0: all there; up to 1: about to be removed
 };
 
 }  // namespace sherd

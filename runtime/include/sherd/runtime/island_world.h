@@ -12,6 +12,7 @@
 #include "sherd/runtime/area_damage.h"
 #include "sherd/runtime/asset.h"
 #include "sherd/runtime/damage.h"
+#include "sherd/runtime/debris.h"
 #include "sherd/runtime/events.h"
 #include "sherd/runtime/stress.h"
 #include "sherd/runtime/structure.h"
@@ -80,17 +81,24 @@ class IslandWorld {
         bool isFixed = false;
         bool isAnchored = false;  ///< by a bond to the world that is not broken, or a pin
         uint32_t object = 0;
-        std::vector<uint32_t> fragments;  ///< that stand, ascending
-        RigidPose frame;                  ///< body to object
-        double bornAt = 0;                ///< s
-        RigidPose pose, previous;         ///< of the object's frame, now and a substep ago
+        std::vector<uint32_t> fragments;         ///< that stand, ascending
+        RigidPose frame;                         ///< body to object
+        double bornAt = 0;                       ///< s
+        RigidPose pose, previous;                ///< of the object's frame, now and a substep ago
+        double mass = 0;                         ///< kg, fixed or not
+        double keptAt = -HUGE_VAL;               ///< s; when the game last said that it stays
+        double fadingSince = HUGE_VAL;           ///< s; infinite: it does not
+        RemovalReason why = RemovalReason::age;  ///< it fades
+
+        [[nodiscard]] bool isFading() const { return fadingSince < HUGE_VAL; }
     };
     struct Object {
         std::shared_ptr<const Asset> asset;  ///< null: this slot is free
         std::unique_ptr<Structure> structure;
         uint32_t generation = 0;
         DamageOptions damage;
-        std::vector<uint32_t> islands;  ///< ascending by their first fragment
+        std::vector<uint32_t> islands;   ///< ascending by their first fragment
+        uint32_t heaviest = UINT32_MAX;  ///< of them; UINT32_MAX: not known
     };
 
     /// A whole object. It stands fixed when it is anchored, or when `dynamic` is false until
@@ -107,7 +115,10 @@ class IslandWorld {
     /// The same of islands that move; one a hit always may.
     void allowAwake(uint32_t count) { budget_.awake = count; }
 
-    void setTime(double seconds) { time_ = seconds; }
+    void setTime(double seconds) {
+        time_ = seconds;
+        if (anyFading_) posesListed_ = false;
+    }
     [[nodiscard]] double time() const { return time_; }
     /// A substep is over: where an island's object frame is now.
     void moveTo(uint32_t island, const RigidPose& pose);
@@ -162,6 +173,7 @@ class IslandWorld {
         std::vector<uint32_t> fragments;  ///< ascending
         bool isFixed = false, isAnchored = false;
         double bornAt = 0;
+        double fadingSince = HUGE_VAL;
         RigidPose pose, previous;
         BodyMotion motion;
     };
@@ -169,6 +181,20 @@ class IslandWorld {
     void replace(uint32_t object, Structure&& structure, std::vector<SavedIsland>&& islands);
 
     std::span<const BreakEvent> takeEvents();
+
+    /// What is known of the island as a piece.
+    [[nodiscard]] DebrisInfo describePiece(uint32_t island) const;
+    /// The heaviest island of an object; UINT32_MAX when it has none.
+    [[nodiscard]] uint32_t heaviestOf(uint32_t object);
+    /// From now on its poses say so. Nothing else does: whoever calls this removes it in the end.
+    void startFading(uint32_t island, RemovalReason why);
+    /// It stays, for now.
+    void keep(uint32_t island) { islands_[island].keptAt = time_; }
+    /// Takes an island and its fragments out for good, and lists an event.
+    void removeIsland(uint32_t island, RemovalReason why);
+    std::span<const RemovalEvent> takeRemovals();
+    /// s that fading takes; the poses go by it.
+    void setFade(float seconds) { fade_ = seconds; }
 
     [[nodiscard]] bool isAlive(ObjectId id) const;
     [[nodiscard]] ObjectId idOf(uint32_t object) const;
@@ -189,6 +215,8 @@ class IslandWorld {
     [[nodiscard]] IslandBody describe(uint32_t island) const;
     void create(IslandBody body);
     void removeIslands(Object& object);
+    void dropIsland(uint32_t island);
+    [[nodiscard]] float fadeOf(const Island& island) const;
     Change regroup(uint32_t island, bool isLimited);
     void keepToBudget(uint32_t island);
     uint32_t dealArea(uint32_t object, const AreaDamage& damage, bool isLimited);
@@ -226,6 +254,10 @@ class IslandWorld {
     std::vector<FragmentPose> poses_;
     bool posesListed_ = false;
     std::vector<BreakEvent> pending_, taken_;
+
+    float fade_ = 1;
+    bool anyFading_ = false;  ///< of the poses listed
+    std::vector<RemovalEvent> pendingRemovals_, takenRemovals_;
 };
 
 }  // namespace sherd

@@ -48,7 +48,9 @@ struct WorldOptions {
     /// losing its support, or when the game pushes or moves it. Bodies set to DISABLE_DEACTIVATION,
     /// and those with constraints, are left alone, and so is everything without gravity.
     float freezeAfter = 0.5F;
-    /// Break events kept until `events` is called; later ones are dropped. >= 1
+    DebrisOptions debris;  ///< which pieces go by themselves, and how
+    /// Break events kept until `events` is called; later ones are dropped, and likewise removals.
+    /// >= 1
     uint32_t maxPendingEvents = 65536;
 };
 
@@ -91,6 +93,13 @@ class DestructionWorld {
 
     /// Takes the object and all its fragments out. False when the handle is no longer valid.
     bool remove(ObjectId object);
+
+    /// Takes out the body that a standing fragment is part of, for good; what lay on it falls.
+    /// False when it does not stand.
+    bool removePiece(ObjectId object, uint32_t fragment);
+
+    /// Where the game looks from, for `DebrisOptions::distance`. Not finite: ignored.
+    void setViewer(const glm::vec3& position);
 
     /// Breaks a standing fragment (0: the intact object) out of its neighbours and into its
     /// children, without a hit: every child is a body with the velocity of its part. False when it
@@ -142,6 +151,10 @@ class DestructionWorld {
     /// The breaks since the last call, in the order they happened; each is listed once.
     /// Valid until the next call.
     std::span<const BreakEvent> events();
+
+    /// The pieces that were removed since the last call, by age, distance or `removePiece`; not
+    /// those of `remove`. Valid until the next call.
+    std::span<const RemovalEvent> removals();
 
     [[nodiscard]] bool isAlive(ObjectId object) const;
 
