@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bullet/bullet_bodies.h"
 
+#include <cmath>
 #include <utility>
 
 #include "bullet/convert.h"
@@ -160,7 +161,8 @@ bool BulletBodies::readPoses(IslandWorld& islands) {
         // As Bullet's own motion states, what sleeps is not asked where it is.
         const bool isActive = slot.body->isActive();
         const bool isFixed = slot.body->getInvMass() == 0;
-        isTouchable = isTouchable || isActive || isFixed;
+        isTouchable = isTouchable ||
+                      ((isActive || isFixed) && islands.canTakeDamage(i, HUGE_VALF, HUGE_VALF));
         if (isActive && !isFixed && slot.firstFragment != 0) ++awakeDebris_;
         if (!isActive && slot.isStill) continue;
         const btTransform& now = slot.body->getWorldTransform();

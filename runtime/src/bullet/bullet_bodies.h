@@ -45,7 +45,7 @@ class BulletBodies final : public BodyTable {
     }
 
     /// After a substep: tells the world where its islands are. Returns whether contacts can have
-    /// done anything to them: Bullet wakes what is touched.
+    /// broken any of them: Bullet wakes what is touched, and the last pieces do not break.
     bool readPoses(IslandWorld& islands);
 
     /// Pieces that were awake and moving at the last `readPoses`.
