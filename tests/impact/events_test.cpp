@@ -93,7 +93,9 @@ TEST_CASE("what does not move is not copied, and what stops is copied once more"
 TEST_CASE("a hit that breaks nothing is an impact, weight at rest is none") {
     BulletWorld bullet(btVector3(0, -10, 0));
     bullet.addGround(0);
-    DestructionWorld destruction(bullet.world, unbreakable());
+    WorldOptions options = unbreakable();
+    options.leastImpact = 0.01F;
+    DestructionWorld destruction(bullet.world, options);
     const auto asset = makeBox();
     const ObjectId box = destruction.spawn(asset, at(0, 0.5F, 0)).value();
     for (int i = 0; i < 60; ++i) bullet.step();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bullet/bullet_bodies.h"
 
+#include <cmath>
 #include <utility>
 
 #include "bullet/convert.h"
@@ -86,16 +87,41 @@ void BulletBodies::create(const IslandBody& island) {
     Body& slot = bodies_[island.island];
     if (nextAdopted_) {
         adopt(slot, island);
+        watchQuiet(island);
         return;
     }
     make(slot, island);
     addToWorld(slot, rule(slot, island));
     // Bullet applies gravity once before all substeps of a step and clears it after the last.
     if (inStep_ && island.mass > 0) slot.body->applyGravity();
+    watchQuiet(island);
+}
+
+/// Only pieces that came off freeze: what is whole sleeps as the game's own bodies do.
+void BulletBodies::watchQuiet(const IslandBody& island) {
+    const Body& slot = bodies_[island.island];
+    quiet_.add(island.island, *slot.body, slot.firstFragment != 0 ? slot.freezable : nullptr,
+               island.mass, toBullet(island.inertia));
+}
+
+/// Bullet lets sleep what lay on a body that goes.
+void BulletBodies::wakeAround(const btRigidBody& body) {
+    struct Wake : btBroadphaseAabbCallback {
+        bool process(const btBroadphaseProxy* proxy) override {
+            auto* object = static_cast<btCollisionObject*>(proxy->m_clientObject);
+            if (!object->isStaticOrKinematicObject()) object->activate();
+            return true;
+        }
+    };
+    Wake wake;
+    const btBroadphaseProxy& proxy = *body.getBroadphaseProxy();
+    world_.getBroadphase()->aabbTest(proxy.m_aabbMin, proxy.m_aabbMax, wake);
 }
 
 void BulletBodies::make(Body& slot, const IslandBody& island) {
-    slot.body = BodyPointer(new OwnBody(describe(slot, island), *this, island.island));
+    auto* body = new OwnBody(describe(slot, island), *this, island.island);
+    slot.body = BodyPointer(body);
+    slot.freezable = body;
     slot.body->setUserIndex3(int(island.island));
     slot.seen = slot.body->getWorldTransform();
     slot.isStill = false;
@@ -105,6 +131,7 @@ void BulletBodies::make(Body& slot, const IslandBody& island) {
 /// Where it cannot change in place it goes out of the world and in again: Bullet sorts bodies into
 /// fixed and moving ones when they are added, and holds contacts of the old shape.
 void BulletBodies::update(const IslandBody& island) {
+    quiet_.forget(island.island);
     Body& slot = bodies_[island.island];
     if (isAdopted(island.island)) {
         replaced_ = letGo(island.island);
@@ -158,18 +185,24 @@ void BulletBodies::update(const IslandBody& island) {
         body.applyCentralForce(-weight);
         body.applyCentralForce(body.getGravity() * body.getMass());
     }
+    watchQuiet(island);
 }
 
 void BulletBodies::remove(uint32_t island) {
     Body& slot = bodies_[island];
     if (!slot.body) return;  // the game has deleted it
     released_.forget(island);
+    quiet_.forget(island);
     if (isAdopted(island)) {
         letGo(island);
         return;
     }
-    if (slot.body->isInWorld()) world_.removeRigidBody(slot.body.get());
+    if (slot.body->isInWorld()) {
+        wakeAround(*slot.body);
+        world_.removeRigidBody(slot.body.get());
+    }
     slot.body.reset();
+    slot.freezable = nullptr;
     slot.shape.reset();
 }
 
@@ -191,14 +224,19 @@ BodyMotion BulletBodies::motion(uint32_t island) const {
     return motion;
 }
 
-bool BulletBodies::readPoses(IslandWorld& islands) {
+bool BulletBodies::readPoses(IslandWorld& islands, bool withUnbreakable) {
     bool isTouchable = false;
+    awakeDebris_ = 0;
     for (uint32_t i = 0; i < bodies_.size(); ++i) {
         Body& slot = bodies_[i];
         if (!slot.body) continue;
         // As Bullet's own motion states, what sleeps is not asked where it is.
         const bool isActive = slot.body->isActive();
-        isTouchable = isTouchable || isActive || slot.body->isStaticObject();
+        const bool isFixed = slot.body->getInvMass() == 0;
+        isTouchable =
+            isTouchable || ((isActive || isFixed) &&
+                            (withUnbreakable || islands.canTakeDamage(i, HUGE_VALF, HUGE_VALF)));
+        if (isActive && !isFixed && slot.firstFragment != 0) ++awakeDebris_;
         if (!isActive && slot.isStill) continue;
         const btTransform& now = slot.body->getWorldTransform();
         const bool isStill = now == slot.seen;

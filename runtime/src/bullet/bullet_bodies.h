@@ -15,6 +15,7 @@
 #include "bullet/convert.h"
 #include "bullet/island_shape.h"
 #include "bullet/own_body.h"
+#include "bullet/quiet_debris.h"
 #include "bullet/released_pairs.h"
 #include "bullet/rest_overlaps.h"
 #include "sherd/runtime/island_world.h"
@@ -24,8 +25,9 @@ namespace sherd {
 /// Bullet's bodies of an IslandWorld, by the islands' numbers.
 class BulletBodies final : public BodyTable, private BodyOwner {
   public:
-    BulletBodies(btDynamicsWorld& world, float overlapTolerance)
+    BulletBodies(btDynamicsWorld& world, float overlapTolerance, float freezeAfter)
         : released_(*this, overlapTolerance),
+          quiet_(world, freezeAfter),
           world_(world),
           constraints_(world),
           assets_(overlapTolerance) {}
@@ -46,7 +48,10 @@ class BulletBodies final : public BodyTable, private BodyOwner {
         nextAdopted_ = Adopted{&body, toBullet(objectToBody)};
     }
     /// Whether Bullet has given its gravity for this step already; new bodies must have theirs.
-    void setInStep(bool inStep) { inStep_ = inStep; }
+    void setInStep(bool inStep) {
+        inStep_ = inStep;
+        quiet_.setInStep(inStep);
+    }
 
     void create(const IslandBody& body) override;
     void update(const IslandBody& body) override;
@@ -67,8 +72,12 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     void announce(std::span<const uint32_t> islands);
 
     /// After a substep: tells the world where its islands are. Returns whether contacts can have
-    /// done anything to them: Bullet wakes what is touched.
-    bool readPoses(IslandWorld& islands);
+    /// broken any of them: Bullet wakes what is touched, and the last pieces do not break; or can
+    /// have met any, `withUnbreakable`.
+    bool readPoses(IslandWorld& islands, bool withUnbreakable);
+
+    /// Pieces that were awake and moving at the last `readPoses`.
+    [[nodiscard]] uint32_t awakeDebris() const { return awakeDebris_; }
 
     /// The body was moved by hand; its island knows where.
     void noteTransform(uint32_t island) {
@@ -97,12 +106,14 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     [[nodiscard]] const RestOverlaps& restOverlapsOf(uint32_t island) const {
         return *bodies_[island].overlaps;
     }
+    [[nodiscard]] QuietDebris& quiet() { return quiet_; }
     [[nodiscard]] ReleasedPairs& released() { return released_; }
     [[nodiscard]] const ReleasedPairs& released() const { return released_; }
 
   private:
     struct Body {
         BodyPointer body;                    ///< null: there is none
+        DebrisBody* freezable = nullptr;     ///< the same, made here
         std::unique_ptr<IslandShape> shape;  ///< null: its only fragment's own
         const FragmentShapes* shapes = nullptr;
         const RestOverlaps* overlaps = nullptr;
@@ -131,7 +142,11 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     void lose(uint32_t island);
     static void move(btRigidBody& body, const BodyMotion& motion);
 
+    void watchQuiet(const IslandBody& island);
+    void wakeAround(const btRigidBody& body);
+
     ReleasedPairs released_;
+    QuietDebris quiet_;
     btDynamicsWorld& world_;
     ConstraintMover constraints_;
     IslandWorld* islands_ = nullptr;
@@ -148,6 +163,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     std::vector<btRigidBody*> parts_;
     std::vector<Body> bodies_;  ///< per island
     IslandShape::Marks marks_;
+    uint32_t awakeDebris_ = 0;
     bool inStep_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 
@@ -14,6 +15,7 @@
 #include "bullet/bullet_bodies.h"
 #include "bullet/convert.h"
 #include "bullet/object_snapshot.h"
+#include "core/debris.h"
 #include "core/finite.h"
 #include "core/report.h"
 #include "core/structure_bytes.h"
@@ -47,7 +49,7 @@ Result<void> checkInstance(const std::shared_ptr<const Asset>& asset, const Rigi
     return checkDamage(damage);
 }
 
-constexpr uint32_t kSavedObject = 0x31484453;  // "SDH1": what it is, and its version
+constexpr uint32_t kSavedObject = 0x32484453;  // "SDH2": what it is, and its version
 
 constexpr float kTouch = 1e-3F;  // of the object's diagonal: how near is touching
 
@@ -87,8 +89,9 @@ bool reaches(const AreaDamage& sphere, const btRigidBody& body) {
 
 /// Pushes a body away from a point: N s per m^2 of the circle that its bounding sphere shows it,
 /// falling evenly to nothing at `radius`.
-void throwFrom(btRigidBody& body, const glm::vec3& point, float radius, float impulsePerArea) {
-    if (body.isStaticObject()) return;
+void throwFrom(btRigidBody& body, QuietDebris& quiet, uint32_t island, const glm::vec3& point,
+               float radius, float impulsePerArea) {
+    if (body.getInvMass() == 0) return;
     const btVector3 away = body.getCenterOfMassPosition() - toBullet(point);
     const btScalar distance = away.length();
     if (!(distance < radius) || !(distance > 0)) return;
@@ -96,6 +99,7 @@ void throwFrom(btRigidBody& body, const glm::vec3& point, float radius, float im
     btScalar size = 0;
     body.getCollisionShape()->getBoundingSphere(center, size);
     const btScalar area = SIMD_PI * size * size;
+    quiet.wake(island);
     body.activate();
     body.applyCentralImpulse(away / distance * impulsePerArea * area * (1 - distance / radius));
 }
@@ -135,10 +139,14 @@ class DestructionWorld::Impl final : public btActionInterface {
     Impl(btDynamicsWorld& bullet, const WorldOptions& options)
         : world(bullet),
           settings(options),
-          bodies(bullet, options.overlapTolerance),
+          bodies(bullet, options.overlapTolerance, options.freezeAfter),
           islands(bodies, options.maxPendingEvents),
-          breaker(bullet, bodies, islands, options.leastImpact) {
+          breaker(bullet, bodies, islands, options.leastImpact),
+          debris(options.debris) {
         bodies.attach(islands, settings.rules, settings.listener, settings.releaseAsleep);
+        islands.setFade(settings.debris.fade);
+        islands.allowBodies(settings.maxNewBodiesPerStep);
+        islands.allowAwake(settings.maxAwakeBodies);
         if (settings.drive == Drive::action) world.addAction(this);
     }
     ~Impl() override {
@@ -157,15 +165,22 @@ class DestructionWorld::Impl final : public btActionInterface {
         lastStep = dt;
         bodies.noticeGone();
         bodies.released().releaseSeparated();
-        const bool isTouchable = bodies.readPoses(islands);
-        if (!isTouchable) return;
-        breaker.measure(dt, inStep);
-        if (!settings.authority) return;
+        const bool isTouchable = bodies.readPoses(islands, settings.leastImpact < HUGE_VALF);
+        const uint32_t awake = bodies.awakeDebris();
+        islands.allowAwake(settings.maxAwakeBodies - std::min(settings.maxAwakeBodies, awake));
+        if (isTouchable) breaker.measure(dt, inStep);
+        if (isTouchable && settings.authority) {
+            bodies.setInStep(inStep);
+            breaker.breakWhatIsHit();
+            islands.workOnStress(toGlm(world.getGravity()), settings.stressIterations);
+            bodies.setInStep(false);
+            bodies.released().settle();
+        }
         bodies.setInStep(inStep);
-        breaker.breakWhatIsHit();
-        islands.workOnStress(toGlm(world.getGravity()), settings.stressIterations);
+        debris.step(islands);
+        bodies.quiet().step(islands.time());
         bodies.setInStep(false);
-        bodies.released().settle();
+        islands.allowBodies(settings.maxNewBodiesPerStep);
     }
 
     /// Leaves whose shape, at its place in the world, is wanted.
@@ -219,6 +234,7 @@ class DestructionWorld::Impl final : public btActionInterface {
     BulletBodies bodies;
     IslandWorld islands;
     Breaker breaker;
+    Debris debris;
     float lastStep = 0;  ///< s; 0: none yet
 
   private:
@@ -412,7 +428,8 @@ Result<uint32_t> DestructionWorld::explode(const AreaDamage& damage, float impul
     if (!broken) return broken;
     for (uint32_t i = 0; i < impl_->islands.islands().size(); ++i)
         if (impl_->islands.island(i).isAlive)
-            throwFrom(impl_->bodies.body(i), damage.a, damage.radius, impulsePerArea);
+            throwFrom(impl_->bodies.body(i), impl_->bodies.quiet(), i, damage.a, damage.radius,
+                      impulsePerArea);
     return broken;
 }
 
@@ -490,9 +507,12 @@ Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t>
     if (!from.isAtEnd() || !std::isfinite(savedAt))
         return fail(ErrorCode::invalidData, "the saved object does not end where it should",
                     "bytes");
-    for (auto& island : snapshot->islands) island.bornAt += time() - savedAt;
-    const uint32_t first = restored.islands.front();
-    if (impl_->bodies.isAdopted(first)) impl_->bodies.giveBack(first);
+    for (auto& island : snapshot->islands) {
+        island.bornAt += time() - savedAt;
+        island.fadingSince += time() - savedAt;
+    }
+    if (!restored.islands.empty() && impl_->bodies.isAdopted(restored.islands.front()))
+        impl_->bodies.giveBack(restored.islands.front());
     impl_->islands.replace(object.index, std::move(*snapshot->structure),
                            std::move(snapshot->islands));
     impl_->bodies.announce(restored.islands);
@@ -532,6 +552,21 @@ std::span<const BreakEvent> DestructionWorld::events() {
     return impl_->islands.takeEvents();
 }
 
+std::span<const RemovalEvent> DestructionWorld::removals() {
+    return impl_->islands.takeRemovals();
+}
+
+bool DestructionWorld::removePiece(ObjectId object, uint32_t fragment) {
+    const uint32_t island = impl_->find(object, fragment);
+    if (island == UINT32_MAX) return false;
+    impl_->islands.removeIsland(island, RemovalReason::game);
+    return true;
+}
+
+void DestructionWorld::setViewer(const glm::vec3& position) {
+    if (isFinite(position)) impl_->debris.setViewer(position);
+}
+
 bool DestructionWorld::isAlive(ObjectId object) const {
     return impl_->islands.isAlive(object);
 }
@@ -558,6 +593,23 @@ float DestructionWorld::overload(ObjectId object, uint32_t bond) const {
 
 uint32_t DestructionWorld::bodyCount() const {
     return impl_->islands.islandCount();
+}
+
+uint32_t DestructionWorld::frozenCount() const {
+    return impl_->bodies.quiet().frozenCount();
+}
+
+bool DestructionWorld::isFrozen(ObjectId object, uint32_t fragment) const {
+    const uint32_t island = impl_->find(object, fragment);
+    return island != UINT32_MAX && impl_->bodies.quiet().isFrozen(island);
+}
+
+bool DestructionWorld::wake(ObjectId object, uint32_t fragment) {
+    const uint32_t island = impl_->find(object, fragment);
+    if (island == UINT32_MAX) return false;
+    impl_->bodies.quiet().wake(island);
+    impl_->bodies.body(island).activate();
+    return true;
 }
 
 uint32_t DestructionWorld::ignoredPairCount() const {

@@ -18,6 +18,7 @@ void BulletBodies::adopt(Body& slot, const IslandBody& island) {
     btRigidBody& body = *adopted.body;
     slot.body = BodyPointer(&body, BodyRelease{true});
     slot.shape.reset();
+    slot.freezable = nullptr;
     slot.object = island.object.index;
     slot.firstFragment = island.fragments.front();
     slot.diagonal = island.asset->diagonal();
@@ -69,8 +70,10 @@ void BulletBodies::noticeGone() {
 /// Bullet's part of the body is still alive, but not for long.
 void BulletBodies::forgetDeleted(uint32_t island) {
     log(LogLevel::warning, "the game has deleted a body of Sherd's");
+    quiet_.forget(island);
     released_.forget(island);
     (void)bodies_[island].body.release();
+    bodies_[island].freezable = nullptr;
     lose(island);
 }
 

@@ -44,7 +44,8 @@ bool isSound(const BodySnapshot& body) {
 }
 bool isSound(const IslandWorld::SavedIsland& island) {
     return sherd::isSound(island.pose) && sherd::isSound(island.previous) &&
-           !std::isnan(island.bornAt);
+           !std::isnan(island.bornAt) && !std::isnan(island.fadingSince) &&
+           island.fadingSince > -HUGE_VAL;
 }
 
 IslandWorld::SavedIsland readIsland(ByteReader& from) {
@@ -54,6 +55,7 @@ IslandWorld::SavedIsland readIsland(ByteReader& from) {
     island.isFixed = (flags & 1) != 0;
     island.isAnchored = (flags & 2) != 0;
     island.bornAt = from.f64();
+    island.fadingSince = from.f64();
     island.pose = readPose(from);
     island.previous = readPose(from);
     return island;
@@ -77,6 +79,7 @@ void writeIsland(const IslandWorld::Island& island, const btRigidBody& body, Byt
     for (const uint32_t fragment : island.fragments) to.u32(fragment);
     to.u8(uint8_t((island.isFixed ? 1 : 0) | (island.isAnchored ? 2 : 0)));
     to.f64(island.bornAt);
+    to.f64(island.fadingSince);
     write(island.pose, to);
     write(island.previous, to);
     for (int row = 0; row < 3; ++row) write(body.getWorldTransform().getBasis()[row], to);
@@ -106,14 +109,16 @@ Result<ObjectSnapshot> readSnapshot(const std::shared_ptr<const Asset>& asset, B
     };
     ObjectSnapshot snapshot;
     if (const char* why = readStructure(asset, from, snapshot.structure)) return refuse(why);
-    constexpr size_t kLeastBytes = 140;  // of a body
+    constexpr size_t kLeastBytes = 148;  // of a body
     for (uint32_t n = from.count(kLeastBytes); n > 0; --n) {
         snapshot.islands.push_back(readIsland(from));
         snapshot.bodies.push_back(readBody(from));
     }
     if (from.isShort()) return refuse("it ends too early");
-    // Every fragment that stands is part of one body.
+    // Every fragment that stands is part of one body; the others were removed.
     uint32_t leaves = 0;
+    for (uint32_t leaf = 0; leaf < asset->graph().leafCount(); ++leaf)
+        leaves += snapshot.structure->isGone(leaf) ? 1 : 0;
     std::vector<uint8_t> seen(asset->fragmentCount(), 0);
     for (const BodySnapshot& body : snapshot.bodies)
         if (!isSound(body)) return refuse("a body's numbers are none");

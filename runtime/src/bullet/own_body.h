@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "bullet/quiet_debris.h"
+
 namespace sherd {
 
 /// At once, and until something touches it.
@@ -20,10 +22,10 @@ class BodyOwner {
 
 /// A body that Sherd makes. Games that clear Bullet's world delete whatever they find in it: then
 /// it tells, so that nobody looks at it again.
-class OwnBody final : public btRigidBody {
+class OwnBody final : public DebrisBody {
   public:
     OwnBody(const btRigidBodyConstructionInfo& info, BodyOwner& owner, uint32_t island)
-        : btRigidBody(info), owner_(&owner), island_(island) {}
+        : DebrisBody(info), owner_(&owner), island_(island) {}
     ~OwnBody() override {
         if (owner_) owner_->forgetDeleted(island_);
     }

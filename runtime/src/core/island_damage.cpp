@@ -47,9 +47,9 @@ const HitResult& IslandWorld::strike(uint32_t index, uint32_t fragment, const gl
 }
 
 /// What `hit_` has broken comes apart.
-void IslandWorld::settle(uint32_t island, uint32_t fragment, BreakEvent event) {
+void IslandWorld::settle(uint32_t island, uint32_t fragment, BreakEvent event, bool isLimited) {
     event.fragment = fragment;
-    regroup(island);
+    regroup(island, isLimited);
     (void)split(island, event);
 }
 
@@ -62,11 +62,11 @@ float IslandWorld::takeHit(uint32_t island, uint32_t fragment, const ReportedHit
     event.impulse = hit.impulse;
     event.energy = hit.energy;
     event.approachSpeed = hit.speed;
-    settle(island, fragment, event);
+    settle(island, fragment, event, true);
     return consumed;
 }
 
-uint32_t IslandWorld::dealArea(uint32_t objectIndex, const AreaDamage& damage) {
+uint32_t IslandWorld::dealArea(uint32_t objectIndex, const AreaDamage& damage, bool isLimited) {
     uint32_t broken = 0;
     const std::vector<uint32_t> islands = objects_[objectIndex].islands;
     for (const uint32_t index : islands) {
@@ -74,11 +74,14 @@ uint32_t IslandWorld::dealArea(uint32_t objectIndex, const AreaDamage& damage) {
         const RigidPose objectToWorld = bodies_.motion(index).pose * inverse(islands_[index].frame);
         applyArea(*object.structure, islands_[index].fragments, seenFrom(objectToWorld, damage),
                   object.damage, hit_);
-        broken += uint32_t(hit_.bonds.size());
         BreakEvent event;
         event.point = damage.a;
         event.energy = hit_.consumed;
-        settle(index, islands_[index].fragments.front(), event);
+        const uint32_t first = islands_[index].fragments.front();
+        regroup(index, isLimited);
+        broken += uint32_t(hit_.bonds.size());
+        event.fragment = first;
+        (void)split(index, event);
     }
     return broken;
 }
@@ -88,7 +91,7 @@ bool IslandWorld::breakFragment(uint32_t object, uint32_t fragment, bool whole) 
     if (island == UINT32_MAX) return false;
     if (!whole && objects_[object].asset->fragment(fragment).children.count == 0) return false;
     shatter(*objects_[object].structure, fragment, whole, hit_);
-    settle(island, fragment, {});
+    settle(island, fragment, {}, false);
     return true;
 }
 
@@ -97,14 +100,14 @@ void IslandWorld::breakAll(uint32_t object) {
     everything.fluence = std::numeric_limits<float>::infinity();
     everything.radius = std::numeric_limits<float>::max();
     everything.falloff = 0;
-    dealArea(object, everything);
+    dealArea(object, everything, false);
 }
 
 void IslandWorld::pin(uint32_t index, std::span<const uint32_t> leaves, bool pinned) {
     for (const uint32_t leaf : leaves) objects_[index].structure->pin(leaf, pinned);
     hit_.clear();
     const std::vector<uint32_t> islands = objects_[index].islands;
-    for (const uint32_t island : islands) settle(island, 0, {});
+    for (const uint32_t island : islands) settle(island, 0, {}, false);
 }
 
 bool IslandWorld::pinFragment(uint32_t object, uint32_t fragment, bool pinned) {

@@ -14,7 +14,10 @@ void IslandWorld::lose(uint32_t index) {
     --islandCount_;
     if (index == stressed_) isStressNew_ = true;
     std::erase(strained_, index);
+    std::erase(fading_, index);
     std::erase(object.islands, index);
+    object.heaviest = UINT32_MAX;
+    for (const uint32_t fragment : islands_[index].fragments) object.structure->discard(fragment);
     freeIslands_.push_back(index);
     poses_.noteRegrouped(owner);
     if (object.islands.empty()) remove(owner);
@@ -37,6 +40,7 @@ bool IslandWorld::exchange(uint32_t index, std::shared_ptr<const Asset> asset) {
     island.isAnchored = object.asset->graph().isAnchored(0);
     // One that stood by the file's anchors alone falls without them.
     island.isFixed = island.isAnchored || (island.isFixed && !wasAnchored);
+    island.mass = double(object.asset->fragment(0).mass);
     IslandBody body = describe(slot);
     island.frame = body.frame;
     motion.pose = island.pose * body.frame;

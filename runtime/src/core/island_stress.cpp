@@ -49,7 +49,7 @@ void IslandWorld::workOnStress(const glm::vec3& gravity, uint32_t maxIterations)
         hit_.level = std::max(hit_.level, object.asset->fragment(bond.parting).level + 1);
         event.point = island.pose * bond.centroid;
     }
-    settle(solved, island.fragments.front(), event);
+    settle(solved, island.fragments.front(), event, true);
     strain(solved);
 }
 

@@ -6,10 +6,21 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "core/budget.h"
 #include "core/mass_properties.h"
 #include "core/rigid_pose.h"
 
 namespace sherd {
+
+IslandWorld::IslandWorld(BodyTable& bodies, uint32_t maxPendingEvents)
+    : bodies_(bodies),
+      breaks_(maxPendingEvents),
+      impacts_(maxPendingEvents),
+      born_(maxPendingEvents),
+      removals_(maxPendingEvents),
+      merger_(std::make_unique<IslandMerger>()) {}
+
+IslandWorld::~IslandWorld() = default;
 
 uint32_t IslandWorld::takeIsland() {
     if (freeIslands_.empty()) {
@@ -39,6 +50,7 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     Island& island = islands_[slot];
     island.object = index;
     island.fragments.assign(1, 0);
+    island.mass = double(object.asset->fragment(0).mass);
     island.isAnchored = object.asset->graph().isAnchored(0);
     island.isFixed = !dynamic || island.isAnchored;
     island.bornAt = -HUGE_VAL;
@@ -50,19 +62,23 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     return idOf(index);
 }
 
+void IslandWorld::dropIsland(uint32_t island) {
+    bodies_.remove(island);
+    islands_[island].isAlive = false;
+    --islandCount_;
+    // Its number may be given to another object's.
+    if (island == stressed_) isStressNew_ = true;
+    std::erase(strained_, island);
+    std::erase(fading_, island);
+}
+
 void IslandWorld::removeIslands(uint32_t index) {
     Object& object = objects_[index];
-    for (const uint32_t island : object.islands) {
-        bodies_.remove(island);
-        islands_[island].isAlive = false;
-        --islandCount_;
-        // Its number may be given to another object's.
-        if (island == stressed_) isStressNew_ = true;
-        std::erase(strained_, island);
-    }
+    for (const uint32_t island : object.islands) dropIsland(island);
     // Backwards, so that the slots are handed out again in the order they were given up.
     freeIslands_.insert(freeIslands_.end(), object.islands.rbegin(), object.islands.rend());
     object.islands.clear();
+    object.heaviest = UINT32_MAX;
     poses_.noteRegrouped(index);
 }
 
@@ -109,6 +125,9 @@ IslandBody IslandWorld::describe(uint32_t index) const {
 void IslandWorld::create(IslandBody body) {
     Island& island = islands_[body.island];
     island.isAlive = true;
+    island.keptAt = -HUGE_VAL;
+    island.fadingSince = HUGE_VAL;
+    objects_[island.object].heaviest = UINT32_MAX;
     ++islandCount_;
     island.frame = body.frame;
     if (island.isFixed) body.motion = {};
@@ -117,7 +136,7 @@ void IslandWorld::create(IslandBody body) {
     poses_.noteRegrouped(island.object);
 }
 
-IslandWorld::Change IslandWorld::regroup(uint32_t index) {
+IslandWorld::Change IslandWorld::regroup(uint32_t index, bool isLimited) {
     Island& island = islands_[index];
     const Structure& structure = *objects_[island.object].structure;
     std::vector<uint32_t>& fragments = island.fragments;
@@ -134,9 +153,27 @@ IslandWorld::Change IslandWorld::regroup(uint32_t index) {
     }
     if (change_ == Change::finer) std::sort(fragments.begin(), fragments.end());
     groups_.find(structure, fragments);
+    if (isLimited) keepToBudget(index);
     const auto groups = groups_.islands();
     if (groups.size() > 1 || island.isAnchored != groups[0].anchored) change_ = Change::apart;
     return change_;
+}
+
+void IslandWorld::keepToBudget(uint32_t index) {
+    const uint32_t allowed = std::min(budget_.bodies, std::max(budget_.awake, 1U));
+    if (groups_.islands().size() - 1 <= allowed) return;
+    Structure& structure = *objects_[islands_[index].object].structure;
+    if (!merger_->limit(structure, groups_, allowed + 1, hit_)) return;
+    // Some may have been closed again.
+    std::vector<uint32_t>& fragments = islands_[index].fragments;
+    for (uint32_t& fragment : fragments)
+        fragment = structure.fragmentAt(structure.graph().leavesOf(fragment).first);
+    std::sort(fragments.begin(), fragments.end());
+    fragments.erase(std::unique(fragments.begin(), fragments.end()), fragments.end());
+    groups_.find(structure, fragments);
+    if (hit_.opened.empty()) change_ = Change::none;
+    if (structure.fragmentAt(structure.graph().leavesOf(hit_.struck).first) != hit_.struck)
+        hit_.struck = structure.fragmentAt(structure.graph().leavesOf(hit_.struck).first);
 }
 
 std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
@@ -163,6 +200,7 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
             const std::span<const uint32_t> fragments = groups_.fragmentsOf(groups[group]);
             island.fragments.assign(fragments.begin(), fragments.end());
             island.isAnchored = groups[group].anchored;
+            island.mass = groups[group].mass;
         };
         const bool wasFixed = islands_[index].isFixed;
         const uint32_t from = islands_[index].fragments.front();
@@ -209,6 +247,9 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
             return islands_[x].fragments.front() < islands_[y].fragments.front();
         });
         change_ = Change::none;
+        const auto created = uint32_t(split_.size() - 1);
+        budget_.bodies -= std::min(budget_.bodies, created);
+        budget_.awake -= std::min(budget_.awake, created);
     }
     if (hit_.brokeSomething()) addEvent(event, index, uint32_t(split_.size()) - 1);
     hit_.clear();
@@ -225,6 +266,9 @@ void IslandWorld::replace(uint32_t index, Structure&& structure,
         Island& island = islands_[slot];
         island.object = index;
         island.fragments = std::move(from.fragments);
+        island.mass = 0;
+        for (const uint32_t f : island.fragments)
+            island.mass += double(object.asset->fragment(f).mass);
         island.isFixed = from.isFixed;
         island.isAnchored = from.isAnchored;
         island.bornAt = from.bornAt;
@@ -234,6 +278,8 @@ void IslandWorld::replace(uint32_t index, Structure&& structure,
         IslandBody body = describe(slot);
         body.motion = from.motion;
         create(body);
+        islands_[slot].fadingSince = from.fadingSince;
+        if (islands_[slot].isFading()) fading_.push_back(slot);
         strain(slot);
     }
 }

@@ -52,8 +52,8 @@ void PoseList::append(const IslandWorld& world, uint32_t object) {
         std::sort(members_.begin(), members_.end());
     for (const auto& [fragment, i] : members_) {
         const IslandWorld::Island& island = world.island(i);
-        poses_.push_back(
-            {id, &asset.original(), fragment, island.pose, island.previous, asset.scale()});
+        poses_.push_back({id, &asset.original(), fragment, island.pose, island.previous,
+                          asset.scale(), world.fadeOf(island)});
         islandOf_.push_back(i);
     }
 }
@@ -66,7 +66,11 @@ std::span<const FragmentPose> PoseList::list(const IslandWorld& world) {
         for (size_t p = firstOf_[object]; p < firstOf_[object + 1]; ++p) {
             const IslandWorld::Island& island = world.island(islandOf_[p]);
             FragmentPose& pose = poses_[p];
-            if (isSame(pose.pose, island.pose) && isSame(pose.previous, island.previous)) continue;
+            const float fade = world.fadeOf(island);
+            if (isSame(pose.pose, island.pose) && isSame(pose.previous, island.previous) &&
+                pose.fade == fade)
+                continue;
+            pose.fade = fade;
             pose.pose = island.pose;
             pose.previous = island.previous;
             noteChange(p, p + 1);

@@ -5,6 +5,11 @@
 #include <utility>
 
 namespace sherd {
+namespace {
+
+constexpr float kAlmostAll = 1 - 0x1p-20F;  // that a bond can lose without breaking
+
+}  // namespace
 
 void Structure::prepare() {
     if (!lost_.empty()) return;
@@ -13,7 +18,6 @@ void Structure::prepare() {
 }
 
 void Structure::weaken(uint32_t bond, float share) {
-    constexpr float kAlmostAll = 1 - 0x1p-20F;
     prepare();
     if (!(lost_[bond] < kAlmostAll)) return;
     lost_[bond] = std::min(lost_[bond] + share, kAlmostAll);
@@ -24,8 +28,19 @@ void Structure::breakBond(uint32_t bond) {
     lost_[bond] = 1;
 }
 
+void Structure::hold(uint32_t bond) {
+    if (isBroken(bond)) lost_[bond] = kAlmostAll;
+}
+
 void Structure::strengthen(uint32_t bond, float share) {
     if (isDamaged() && !isBroken(bond)) lost_[bond] = std::max(lost_[bond] - share, 0.0F);
+}
+
+void Structure::discard(uint32_t fragment) {
+    prepare();
+    if (gone_.empty()) gone_.assign(graph().leafCount(), 0);
+    const Range leaves = graph().leavesOf(fragment);
+    std::fill_n(gone_.begin() + leaves.first, leaves.count, uint8_t(1));
 }
 
 void Structure::pin(uint32_t leaf, bool pinned) {
@@ -43,6 +58,11 @@ void Structure::open(uint32_t fragment) {
         const Range leaves = graph().leavesOf(c);
         std::fill_n(standing_.begin() + leaves.first, leaves.count, c);
     }
+}
+
+void Structure::close(uint32_t fragment) {
+    const Range leaves = graph().leavesOf(fragment);
+    if (isDamaged()) std::fill_n(standing_.begin() + leaves.first, leaves.count, fragment);
 }
 
 void IslandFinder::find(const Structure& structure, std::span<const uint32_t> fragments) {

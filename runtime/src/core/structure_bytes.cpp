@@ -7,7 +7,7 @@ void writeStructure(const Structure& structure, ByteWriter& to) {
     const Asset& asset = structure.asset();
     const BondGraph& graph = structure.graph();
     to.u64(asset.bakeHash());
-    std::vector<uint32_t> opened, weak, pinned;
+    std::vector<uint32_t> opened, weak, pinned, gone;
     for (uint32_t f = 0; f < asset.fragmentCount(); ++f) {
         // A fragment was opened that lies above what stands for its first leaf.
         if (structure.fragmentAt(graph.leavesOf(f).first) > f) opened.push_back(f);
@@ -16,6 +16,11 @@ void writeStructure(const Structure& structure, ByteWriter& to) {
         if (structure.health(b) < 1) weak.push_back(b);
     for (uint32_t leaf = 0; leaf < graph.leafCount(); ++leaf)
         if (structure.isPinned(leaf)) pinned.push_back(leaf);
+    for (uint32_t leaf = 0; leaf < graph.leafCount();) {
+        const uint32_t f = structure.fragmentAt(leaf);
+        if (structure.isGone(leaf)) gone.push_back(f);
+        leaf += graph.leavesOf(f).count;
+    }
     to.u32(uint32_t(opened.size()));
     for (const uint32_t f : opened) to.u32(f);
     to.u32(uint32_t(weak.size()));
@@ -25,6 +30,8 @@ void writeStructure(const Structure& structure, ByteWriter& to) {
     }
     to.u32(uint32_t(pinned.size()));
     for (const uint32_t leaf : pinned) to.u32(leaf);
+    to.u32(uint32_t(gone.size()));
+    for (const uint32_t f : gone) to.u32(f);
 }
 
 const char* readStructure(const std::shared_ptr<const Asset>& asset, ByteReader& from,
@@ -54,6 +61,12 @@ const char* readStructure(const std::shared_ptr<const Asset>& asset, ByteReader&
         const uint32_t leaf = from.u32();
         if (leaf >= graph.leafCount()) return "it pins a leaf that does not exist";
         structure->pin(leaf, true);
+    }
+    for (uint32_t n = from.count(4); n > 0; --n) {
+        const uint32_t f = from.u32();
+        if (f >= asset->fragmentCount() || !structure->stands(f))
+            return "it removes a fragment that does not stand";
+        structure->discard(f);
     }
     return from.isShort() ? "it ends too early" : nullptr;
 }

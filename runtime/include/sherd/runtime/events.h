@@ -77,6 +77,7 @@ struct FragmentPose {
     RigidPose
         previous;     ///< one substep earlier; for a new fragment, where its part of the parent was
     float scale = 1;  ///< of the instance
+    float fade = 0;   ///< 0: all there; up to 1: about to be removed
 };
 
 }  // namespace sherd

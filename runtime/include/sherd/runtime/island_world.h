@@ -12,6 +12,7 @@
 #include "sherd/runtime/area_damage.h"
 #include "sherd/runtime/asset.h"
 #include "sherd/runtime/damage.h"
+#include "sherd/runtime/debris.h"
 #include "sherd/runtime/event_list.h"
 #include "sherd/runtime/events.h"
 #include "sherd/runtime/pose_list.h"
@@ -50,6 +51,8 @@ struct ReportedHit {
     float impulse = 0;       ///< N s, for the event and the minimum of the options
 };
 
+class IslandMerger;
+
 /// A physics engine, as far as breaking needs one. Calls come from within the calls of IslandWorld.
 class BodyTable {
   public:
@@ -70,12 +73,8 @@ class BodyTable {
 /// used again last in, first out, so equal calls give equal numbers.
 class IslandWorld {
   public:
-    explicit IslandWorld(BodyTable& bodies, uint32_t maxPendingEvents = 65536)
-        : bodies_(bodies),
-          breaks_(maxPendingEvents),
-          impacts_(maxPendingEvents),
-          born_(maxPendingEvents) {}
-    ~IslandWorld() = default;
+    explicit IslandWorld(BodyTable& bodies, uint32_t maxPendingEvents = 65536);
+    ~IslandWorld();
     IslandWorld(const IslandWorld&) = delete;
     IslandWorld& operator=(const IslandWorld&) = delete;
 
@@ -84,17 +83,24 @@ class IslandWorld {
         bool isFixed = false;
         bool isAnchored = false;  ///< by a bond to the world that is not broken, or a pin
         uint32_t object = 0;
-        std::vector<uint32_t> fragments;  ///< that stand, ascending
-        RigidPose frame;                  ///< body to object
-        double bornAt = 0;                ///< s
-        RigidPose pose, previous;         ///< of the object's frame, now and a substep ago
+        std::vector<uint32_t> fragments;         ///< that stand, ascending
+        RigidPose frame;                         ///< body to object
+        double bornAt = 0;                       ///< s
+        RigidPose pose, previous;                ///< of the object's frame, now and a substep ago
+        double mass = 0;                         ///< kg, fixed or not
+        double keptAt = -HUGE_VAL;               ///< s; when the game last said that it stays
+        double fadingSince = HUGE_VAL;           ///< s; infinite: it does not
+        RemovalReason why = RemovalReason::age;  ///< it fades
+
+        [[nodiscard]] bool isFading() const { return fadingSince < HUGE_VAL; }
     };
     struct Object {
         std::shared_ptr<const Asset> asset;  ///< null: this slot is free
         std::unique_ptr<Structure> structure;
         uint32_t generation = 0;
         DamageOptions damage;
-        std::vector<uint32_t> islands;  ///< ascending by their first fragment
+        std::vector<uint32_t> islands;   ///< ascending by their first fragment
+        uint32_t heaviest = UINT32_MAX;  ///< of them; UINT32_MAX: not known
     };
 
     /// A whole object. It stands fixed when it is anchored, or when `dynamic` is false until
@@ -108,7 +114,18 @@ class IslandWorld {
     /// and nothing done, for others.
     bool exchange(uint32_t object, std::shared_ptr<const Asset> asset);
 
-    void setTime(double seconds) { time_ = seconds; }
+    /// How many islands may still come off until the next call, by hits, area damage and load.
+    /// Where there would be more, they are fewer and larger now. What the game breaks piece by
+    /// piece
+    /// (`breakFragment`, `breakAll`, pins) comes off whatever this says, and counts.
+    void allowBodies(uint32_t count) { budget_.bodies = count; }
+    /// The same of islands that move; one a hit always may.
+    void allowAwake(uint32_t count) { budget_.awake = count; }
+
+    void setTime(double seconds) {
+        time_ = seconds;
+        for (const uint32_t island : fading_) poses_.noteMoved(islands_[island].object);
+    }
     [[nodiscard]] double time() const { return time_; }
     /// A substep is over: where an island's object frame is now.
     void moveTo(uint32_t island, const RigidPose& pose);
@@ -137,7 +154,7 @@ class IslandWorld {
         apart,  ///< it comes apart, off its anchors or to new ones
     };
     /// What the object's structure makes of the island now.
-    Change regroup(uint32_t island);
+    Change regroup(uint32_t island) { return regroup(island, true); }
     /// Carries out what the last `regroup`, of this island, found: every group but the heaviest
     /// becomes an island of its own, with the velocity its part had. Lists an event if the last
     /// strike broke something. Returns the islands there are now, the old one first; valid until
@@ -155,7 +172,9 @@ class IslandWorld {
     [[nodiscard]] float overload(uint32_t object, uint32_t bond) const;
 
     /// Damage in the world's frame. Returns the bonds broken.
-    uint32_t dealArea(uint32_t object, const AreaDamage& damage);
+    uint32_t dealArea(uint32_t object, const AreaDamage& damage) {
+        return dealArea(object, damage, true);
+    }
     bool breakFragment(uint32_t object, uint32_t fragment, bool whole);
     void breakAll(uint32_t object);
     /// Pins leaves, or lets them go, and has the bodies follow.
@@ -167,6 +186,7 @@ class IslandWorld {
         std::vector<uint32_t> fragments;  ///< ascending
         bool isFixed = false, isAnchored = false;
         double bornAt = 0;
+        double fadingSince = HUGE_VAL;
         RigidPose pose, previous;
         BodyMotion motion;
     };
@@ -178,6 +198,22 @@ class IslandWorld {
     std::span<const IslandEvent> takeIslandEvents() { return born_.take(); }
     /// Lists a hit, that need not break anything, on one of the island's fragments.
     void addImpact(uint32_t island, uint32_t fragment, const ReportedHit& hit);
+
+    /// What is known of the island as a piece.
+    [[nodiscard]] DebrisInfo describePiece(uint32_t island) const;
+    /// The heaviest island of an object; UINT32_MAX when it has none.
+    [[nodiscard]] uint32_t heaviestOf(uint32_t object);
+    /// From now on its poses say so. Nothing else does: whoever calls this removes it in the end.
+    void startFading(uint32_t island, RemovalReason why);
+    /// It stays, for now.
+    void keep(uint32_t island) { islands_[island].keptAt = time_; }
+    /// Takes an island and its fragments out for good, and lists an event.
+    void removeIsland(uint32_t island, RemovalReason why);
+    std::span<const RemovalEvent> takeRemovals() { return removals_.take(); }
+    /// s that fading takes; the poses go by it.
+    void setFade(float seconds) { fade_ = seconds; }
+    /// How far it has come: 0 when it does not fade, up to 1.
+    [[nodiscard]] float fadeOf(const Island& island) const;
 
     [[nodiscard]] bool isAlive(ObjectId id) const;
     [[nodiscard]] ObjectId idOf(uint32_t object) const;
@@ -199,7 +235,11 @@ class IslandWorld {
     [[nodiscard]] uint32_t fragmentNear(uint32_t island, const glm::vec3& point) const;
     void create(IslandBody body);
     void removeIslands(uint32_t object);
-    void settle(uint32_t island, uint32_t fragment, BreakEvent event);
+    void dropIsland(uint32_t island);
+    Change regroup(uint32_t island, bool isLimited);
+    void keepToBudget(uint32_t island);
+    uint32_t dealArea(uint32_t object, const AreaDamage& damage, bool isLimited);
+    void settle(uint32_t island, uint32_t fragment, BreakEvent event, bool isLimited);
     void strain(uint32_t island);
     void addEvent(BreakEvent event, uint32_t island, uint32_t bodies);
     void addIslandEvent(const IslandBody& body, uint32_t from);
@@ -208,6 +248,7 @@ class IslandWorld {
     EventList<BreakEvent> breaks_;
     EventList<ImpactEvent> impacts_;
     EventList<IslandEvent> born_;
+    EventList<RemovalEvent> removals_;
     double time_ = 0;
     float leastEnergy_ = HUGE_VALF;
     std::vector<Object> objects_;
@@ -221,6 +262,11 @@ class IslandWorld {
     IslandFinder groups_;  ///< of the island regrouped last
     Change change_ = Change::none;
     std::vector<uint32_t> split_;
+    struct Budget {
+        uint32_t bodies = UINT32_MAX, awake = UINT32_MAX;
+    };
+    Budget budget_;
+    std::unique_ptr<IslandMerger> merger_;
 
     StressSolver stress_;
     uint32_t stressed_ = UINT32_MAX;  ///< the island that is solved now
@@ -229,6 +275,8 @@ class IslandWorld {
     uint32_t stressedObject_ = UINT32_MAX;
 
     PoseList poses_;
+    float fade_ = 1;
+    std::vector<uint32_t> fading_;  ///< islands
 };
 
 }  // namespace sherd

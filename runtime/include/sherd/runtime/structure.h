@@ -24,8 +24,11 @@ class Structure {
         return standing_.empty() ? 0 : standing_[leaf];
     }
     [[nodiscard]] bool stands(uint32_t fragment) const {
-        return fragmentAt(graph().leavesOf(fragment).first) == fragment;
+        const uint32_t leaf = graph().leavesOf(fragment).first;
+        return fragmentAt(leaf) == fragment && !isGone(leaf);
     }
+    /// Whether what holds a leaf was removed.
+    [[nodiscard]] bool isGone(uint32_t leaf) const { return !gone_.empty() && gone_[leaf] != 0; }
     /// What is left of a bond: 1 sound, 0 broken.
     [[nodiscard]] float health(uint32_t bond) const { return lost_.empty() ? 1 : 1 - lost_[bond]; }
     /// What it has lost, to the bit: 0 sound, 1 broken.
@@ -39,8 +42,15 @@ class Structure {
     void breakBond(uint32_t bond);
     /// Gives `share` of its energy back to a bond that is not broken.
     void strengthen(uint32_t bond, float share);
+    /// What was just broken holds after all, by next to nothing.
+    void hold(uint32_t bond);
     /// Puts a fragment's children in its place. It must stand and have some.
     void open(uint32_t fragment);
+    /// Puts a fragment back in the place of all that has come out of it.
+    void close(uint32_t fragment);
+
+    /// Removes a standing fragment for good. Its bonds to others must be broken.
+    void discard(uint32_t fragment);
 
     /// Holds a leaf to the world, or lets it go: an anchor that no hit breaks.
     void pin(uint32_t leaf, bool pinned);
@@ -53,6 +63,7 @@ class Structure {
     std::vector<uint32_t> standing_;  ///< per leaf
     std::vector<float> lost_;         ///< per bond
     std::vector<uint8_t> pins_;       ///< per leaf
+    std::vector<uint8_t> gone_;       ///< per leaf
 };
 
 /// The connected groups that standing fragments form. Keeps its memory from one search to the next.

@@ -39,8 +39,9 @@ struct WorldOptions {
     uint32_t stressIterations = 4;
     /// False: contacts break nothing by themselves; another world decides, and sends its breaks.
     bool authority = true;
-    /// Impacts of at least so much energy are listed by `impacts`, J; infinity: none.
-    float leastImpact = 0.01F;
+    /// Impacts of at least so much energy are listed by `impacts`, J; infinity: none, and pieces
+    /// that cannot break are not looked at. Some 0.3 us for every pair that touches.
+    float leastImpact = HUGE_VALF;
     /// What comes off something that sleeps, and was not hit, sleeps until something touches it:
     /// walls of any size stand, also those Bullet does not hold up. It sleeps, too, where its
     /// support has just been broken away.
@@ -48,6 +49,21 @@ struct WorldOptions {
     /// Filters, friction and sweeping by level and size.
     std::vector<BodyRule> rules;
     GameListener* listener = nullptr;  ///< the game's, told of what happens to its bodies
+    /// Bodies that hits, area damage and load may make in a substep and the calls before it. Over
+    /// it there are fewer and larger ones now, whose bonds keep next to nothing for the next hit.
+    /// The default costs about 2 ms in the substep that adds them. UINT32_MAX: no limit.
+    uint32_t maxNewBodiesPerStep = 128;
+    /// Pieces that move at once, the same way; one a hit comes off whatever this says. A pile of
+    /// 300 awake takes Bullet 6 to 10 ms a step. UINT32_MAX: no limit. `breakFragment`, `detach`,
+    /// `breakAll` and anchors let go do what they say, over both.
+    uint32_t maxAwakeBodies = 250;
+    /// Seconds that a piece must lie quiet on something firm before it is frozen, > 0; infinite:
+    /// never. A frozen piece is asleep by itself, whatever rolls through the heap (Bullet lets only
+    /// a heap sleep as a whole), and static to Bullet; it keeps its mass, and wakes by touch, by
+    /// losing its support, or when the game pushes or moves it. Bodies set to DISABLE_DEACTIVATION,
+    /// and those with constraints, are left alone, and so is everything without gravity.
+    float freezeAfter = 0.5F;
+    DebrisOptions debris;  ///< which pieces go by themselves, and how
     /// Events of each kind kept until they are asked for; later ones are dropped. >= 1
     uint32_t maxPendingEvents = 65536;
 };
@@ -130,6 +146,13 @@ class DestructionWorld {
     /// Takes the object and all its fragments out. False when the handle is no longer valid.
     bool remove(ObjectId object);
 
+    /// Takes out the body that a standing fragment is part of, for good; what lay on it falls.
+    /// False when it does not stand.
+    bool removePiece(ObjectId object, uint32_t fragment);
+
+    /// Where the game looks from, for `DebrisOptions::distance`. Not finite: ignored.
+    void setViewer(const glm::vec3& position);
+
     /// Breaks a standing fragment (0: the intact object) out of its neighbours and into its
     /// children, without a hit: every child is a body with the velocity of its part. False when it
     /// does not stand or has no children.
@@ -191,6 +214,10 @@ class DestructionWorld {
     /// Bodies that came off, and those let go, likewise; every object spawned is listed by none.
     std::span<const IslandEvent> islandEvents();
 
+    /// The pieces that were removed since the last call, by age, distance or `removePiece`; not
+    /// those of `remove`. Valid until the next call.
+    std::span<const RemovalEvent> removals();
+
     [[nodiscard]] bool isAlive(ObjectId object) const;
 
     /// The body that a standing fragment is part of, or null. The largest part of what breaks keeps
@@ -205,6 +232,12 @@ class DestructionWorld {
 
     /// Bodies of Sherd's in the world now.
     [[nodiscard]] uint32_t bodyCount() const;
+
+    /// Pieces that lie frozen, and whether one does.
+    [[nodiscard]] uint32_t frozenCount() const;
+    [[nodiscard]] bool isFrozen(ObjectId object, uint32_t fragment) const;
+    /// Wakes the body of a standing fragment and what touches it, as `activate` does in Bullet.
+    bool wake(ObjectId object, uint32_t fragment);
 
     /// How overloaded a bond is under its load, of the anchored object that was solved last: > 1
     /// breaks; 0: not known.
