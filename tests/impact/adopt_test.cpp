@@ -129,6 +129,22 @@ TEST_CASE("what comes off an adopted body has its motion, and the body is the ga
     CHECK(destruction.poses().size() == 8);
 }
 
+TEST_CASE("what comes off an adopted body is as heavy as the game has the body") {
+    BulletWorld bullet;
+    GamesBody games(bullet.world, 250, btVector3(0, 0, 0), btVector3(4, 0, 0));
+    games.body->setAngularVelocity(btVector3(0, 3, 0));
+    DestructionWorld destruction(bullet.world);
+    const auto asset = makeBox();  // of 1000 kg
+    const ObjectId box = destruction.adopt(*games.body, asset).value();
+    const Totals before = totals(bullet.world);
+    REQUIRE(destruction.breakFragment(box));
+    CHECK(destruction.body(box, 1)->getMass() == doctest::Approx(250.0 / 8));
+    const Totals after = totals(bullet.world);
+    CHECK((after.momentum - before.momentum).length() <= 1e-5 * before.momentumScale);
+    CHECK((after.angularMomentum - before.angularMomentum).length() <= 1e-5 * before.angularScale);
+    CHECK(destruction.poses()[0].asset == asset.get());
+}
+
 TEST_CASE("an adopted body breaks under a hit, and its pieces collide as it did") {
     for (const bool deletes : {false, true}) {
         CAPTURE(deletes);

@@ -11,9 +11,9 @@ namespace sherd {
 /// The assets that a world has bodies of, by size.
 class AssetStore {
   public:
-    /// The asset in that size, made if there is none yet.
+    /// The asset in that size and of that density, made if there is none yet.
     Result<std::shared_ptr<const Asset>> take(const std::shared_ptr<const Asset>& asset,
-                                              float scale);
+                                              float scale, float density = 1);
     void add(const PreparedAsset& prepared);
     [[nodiscard]] const FragmentShapes& shapesOf(const Asset& asset) const;
     template <class Visit>

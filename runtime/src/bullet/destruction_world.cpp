@@ -268,12 +268,13 @@ Result<ObjectId> DestructionWorld::adopt(btRigidBody& body,
     try {
         auto sized = impl.bodies.assets().take(asset, options.scale);
         if (!sized) return tl::unexpected<Error>(sized.error());
-        if (!body.isStaticOrKinematicObject()) {
-            const float mass = (*sized)->fragment(0).mass;
-            if (std::abs(body.getMass() - mass) > 0.01F * mass)
-                log(LogLevel::warning,
-                    "the mass of an adopted body is not that of its asset: what breaks off "
-                    "carries another momentum");
+        // As heavy as the game has it, or what comes off would carry another momentum.
+        constexpr float kSameMass = 1e-5F;
+        const float mass = (*sized)->fragment(0).mass;
+        if (!body.isStaticOrKinematicObject() &&
+            std::abs(body.getMass() - mass) > kSameMass * mass) {
+            sized = impl.bodies.assets().take(*sized, 1, body.getMass() / mass);
+            if (!sized) return tl::unexpected<Error>(sized.error());
         }
         const BodyFilter filter = filterOf(body, options);
         impl.bodies.setNextFilter(filter.group, filter.mask);
@@ -311,7 +312,8 @@ Result<Reload> DestructionWorld::reload(const std::shared_ptr<const Asset>& old,
     for (uint32_t o = 0; o < impl.islands.objectCount(); ++o) {
         const IslandWorld::Object& object = impl.islands.object(o);
         if (!object.asset || &object.asset->original() != &old->original()) continue;
-        auto sized = impl.bodies.assets().take(fresh, object.asset->scale() / fresh->scale());
+        auto sized = impl.bodies.assets().take(fresh, object.asset->scale() / fresh->scale(),
+                                               object.asset->density() / fresh->density());
         if (!sized) return tl::unexpected<Error>(sized.error());
         const ObjectId id = impl.islands.idOf(o);
         const bool isWhole = !object.structure->isDamaged() && object.islands.size() == 1 &&
