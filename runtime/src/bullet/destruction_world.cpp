@@ -47,6 +47,8 @@ Result<void> checkInstance(const std::shared_ptr<const Asset>& asset, const Rigi
     return checkDamage(damage);
 }
 
+constexpr const char* kTelling = "a GameListener must not change the world that calls it";
+
 constexpr uint32_t kSavedObject = 0x31484453;  // "SDH1": what it is, and its version
 
 constexpr float kTouch = 1e-3F;  // of the object's diagonal: how near is touching
@@ -201,15 +203,17 @@ class DestructionWorld::Impl final : public btActionInterface {
         return holds_[object];
     }
 
-    /// Whether it is alive, and the game has not just taken it away.
+    /// Whether it is alive, and the game has not just taken it away. Before something changes.
     bool isThere(ObjectId object) {
+        if (!SHERD_ASSERT(!bodies.isTelling())) return false;
         bodies.noticeGone();
         return islands.isAlive(object);
     }
 
     /// Island of a standing fragment of a living object; UINT32_MAX when there is none.
     [[nodiscard]] uint32_t find(ObjectId object, uint32_t fragment) {
-        return isThere(object) ? islands.findIsland(object.index, fragment) : UINT32_MAX;
+        bodies.noticeGone();
+        return islands.isAlive(object) ? islands.findIsland(object.index, fragment) : UINT32_MAX;
     }
 
     btDynamicsWorld& world;
@@ -235,6 +239,7 @@ Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& ass
     if (!isFinite(options.linearVelocity) || !isFinite(options.angularVelocity))
         return fail(ErrorCode::badArgument, "the velocities must be finite", "options");
     Impl& impl = *impl_;
+    if (!SHERD_ASSERT(!impl.bodies.isTelling())) return fail(ErrorCode::badArgument, kTelling);
     try {
         auto sized = impl.bodies.assets().take(asset, options.scale);
         if (!sized) return tl::unexpected<Error>(sized.error());
@@ -259,6 +264,7 @@ Result<ObjectId> DestructionWorld::adopt(btRigidBody& body,
     if (auto ok = checkInstance(asset, options.objectToBody, options.scale, options.damage); !ok)
         return tl::unexpected<Error>(ok.error());
     Impl& impl = *impl_;
+    if (!SHERD_ASSERT(!impl.bodies.isTelling())) return fail(ErrorCode::badArgument, kTelling);
     impl.bodies.noticeGone();
     if (!body.isInWorld() || impl.world.getCollisionObjectArray().findLinearSearch(&body) ==
                                  impl.world.getNumCollisionObjects())
