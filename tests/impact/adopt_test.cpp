@@ -9,6 +9,7 @@
 
 #include "impact/bullet_world.h"
 #include "sherd/runtime/bullet/game_listener.h"
+#include "sherd/runtime/hooks.h"
 
 using namespace sherd;
 using namespace sherd::test;
@@ -129,6 +130,22 @@ TEST_CASE("what comes off an adopted body has its motion, and the body is the ga
     CHECK(destruction.poses().size() == 8);
 }
 
+TEST_CASE("what comes off an adopted body is as heavy as the game has the body") {
+    BulletWorld bullet;
+    GamesBody games(bullet.world, 250, btVector3(0, 0, 0), btVector3(4, 0, 0));
+    games.body->setAngularVelocity(btVector3(0, 3, 0));
+    DestructionWorld destruction(bullet.world);
+    const auto asset = makeBox();  // of 1000 kg
+    const ObjectId box = destruction.adopt(*games.body, asset).value();
+    const Totals before = totals(bullet.world);
+    REQUIRE(destruction.breakFragment(box));
+    CHECK(destruction.body(box, 1)->getMass() == doctest::Approx(250.0 / 8));
+    const Totals after = totals(bullet.world);
+    CHECK((after.momentum - before.momentum).length() <= 1e-5 * before.momentumScale);
+    CHECK((after.angularMomentum - before.angularMomentum).length() <= 1e-5 * before.angularScale);
+    CHECK(destruction.poses()[0].asset == asset.get());
+}
+
 TEST_CASE("an adopted body breaks under a hit, and its pieces collide as it did") {
     for (const bool deletes : {false, true}) {
         CAPTURE(deletes);
@@ -151,6 +168,43 @@ TEST_CASE("an adopted body breaks under a hit, and its pieces collide as it did"
         CHECK(destruction.body(box, 1)->getBroadphaseProxy()->m_collisionFilterGroup == 128);
         for (int i = 0; i < 30; ++i) bullet.step();
     }
+}
+
+TEST_CASE("a listener may look at the world that calls it, and is kept from changing it") {
+    struct Meddler final : GameListener {
+        void onReplace(btRigidBody&, std::span<btRigidBody* const>) override {
+            CHECK(destruction->body(object, 1) != nullptr);
+            CHECK_FALSE(destruction->remove(object));
+            CHECK_FALSE(destruction->breakAll(object));
+            CHECK_FALSE(destruction->spawn(asset, at(9, 9, 9)).has_value());
+            ++called;
+        }
+        DestructionWorld* destruction = nullptr;
+        ObjectId object;
+        std::shared_ptr<const Asset> asset;
+        int called = 0;
+    } meddler;
+    int asserted = 0;
+    Hooks mine;
+    mine.user = &asserted;
+    mine.assertFailed = [](void* user, const char*, const char*, int) {
+        ++*static_cast<int*>(user);
+        return true;
+    };
+    setHooks(mine);
+    BulletWorld bullet;
+    GamesBody games(bullet.world);
+    WorldOptions options;
+    options.listener = &meddler;
+    DestructionWorld destruction(bullet.world, options);
+    meddler.destruction = &destruction;
+    meddler.asset = makeBox();
+    meddler.object = destruction.adopt(*games.body, meddler.asset).value();
+    REQUIRE(destruction.breakFragment(meddler.object));
+    setHooks({});
+    CHECK(meddler.called == 1);
+    CHECK(asserted == 3);
+    CHECK(destruction.bodyCount() == 8);
 }
 
 TEST_CASE("a static body of the game may be adopted, and stands until something comes off") {

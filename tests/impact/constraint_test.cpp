@@ -96,7 +96,11 @@ Hung hang(const Make& make, float side, const Check& check) {
 
 TEST_CASE(
     "a constraint holds the piece its pivot is on, the largest or another, and stays itself") {
-    const std::vector<std::pair<const char*, Make>> kinds{
+    struct Kind {
+        const char* name;
+        Make make;
+    };
+    const std::vector<Kind> kinds{
         {"point to point",
          [](btRigidBody& body, const btVector3& pivot) {
              auto c = std::make_unique<btPoint2PointConstraint>(body, pivot);
@@ -131,13 +135,13 @@ TEST_CASE(
                                                         shifted(body.getWorldTransform() * pivot));
          }},
     };
-    for (const auto& [name, make] : kinds) {
+    for (const Kind& kind : kinds) {
         for (const float side : {-1.0F, 1.0F}) {
-            CAPTURE(name);
+            CAPTURE(kind.name);
             CAPTURE(side);
             static int user = 0;
-            const Make made = [&make = make](btRigidBody& body, const btVector3& pivot) {
-                auto c = make(body, pivot);
+            const Make made = [&kind](btRigidBody& body, const btVector3& pivot) {
+                auto c = kind.make(body, pivot);
                 c->setBreakingImpulseThreshold(12345);
                 c->setUserConstraintPtr(&user);
                 c->setOverrideNumSolverIterations(33);

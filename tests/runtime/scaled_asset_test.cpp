@@ -65,6 +65,14 @@ TEST_CASE("a scaled asset draws as its original, and keeps it alive") {
     CHECK(twice->scale() == 4);
     CHECK(&twice->original() == drawn);
     CHECK(Asset::scaled(twice, 0.25F).value().get() == drawn);
+    // Denser: masses alone.
+    const auto dense = Asset::scaled(scaled, 1, 3).value();
+    CHECK(dense->density() == 3);
+    CHECK(dense->fragment(1).mass == doctest::Approx(3 * scaled->fragment(1).mass));
+    CHECK(dense->fragment(1).density == doctest::Approx(3 * scaled->fragment(1).density));
+    CHECK(dense->breakEnergy(0) == scaled->breakEnergy(0));
+    CHECK(dense->bakeHash() != scaled->bakeHash());
+    CHECK_FALSE(Asset::scaled(scaled, 1, 0).has_value());
 }
 
 TEST_CASE("a scale that is none is an error, also one that leaves no mass or too much") {

@@ -58,8 +58,7 @@ std::vector<Advice> adviseOn(btDynamicsWorld& world, const AssetStore& assets,
     if (dynamic_cast<btAxisSweep3*>(world.getBroadphase()))
         say(Advice::Code::broadphaseLimit,
             "btAxisSweep3 holds a fixed number of bodies; use btDbvtBroadphase");
-    auto* collision = dynamic_cast<btCollisionWorld*>(&world);
-    if (collision && collision->getForceUpdateAllAabbs())
+    if (world.getForceUpdateAllAabbs())
         say(Advice::Code::allAabbs,
             "Bullet updates the boxes of sleeping and static bodies in every substep: call "
             "setForceUpdateAllAabbs(false), and updateSingleAabb for static bodies you move");

@@ -7,6 +7,13 @@
 #include "bullet/rest_overlaps.h"
 
 namespace sherd {
+namespace {
+
+bool isThat(const Asset& asset, const Asset& original, float scale, float density) {
+    return &asset.original() == &original && asset.scale() == scale && asset.density() == density;
+}
+
+}  // namespace
 
 Result<PreparedAsset> prepareAsset(const std::shared_ptr<const Asset>& asset, float scale,
                                    const Jobs& jobs, float overlapTolerance) {
@@ -25,22 +32,23 @@ Result<PreparedAsset> prepareAsset(const std::shared_ptr<const Asset>& asset, fl
 }
 
 Result<std::shared_ptr<const Asset>> AssetStore::take(const std::shared_ptr<const Asset>& asset,
-                                                      float scale) {
-    const float size = asset->scale() * scale;
+                                                      float scale, float density) {
+    scale *= asset->scale();
+    density *= asset->density();
     for (const PreparedAsset& known : assets_)
-        if (&known.asset->original() == &asset->original() && known.asset->scale() == size)
-            return known.asset;
-    auto prepared = prepareAsset(asset, scale, {}, tolerance_);
+        if (isThat(*known.asset, asset->original(), scale, density)) return known.asset;
+    auto sized = Asset::scaled(asset, scale / asset->scale(), density / asset->density());
+    if (!sized) return tl::unexpected<Error>(sized.error());
+    auto prepared = prepareAsset(*sized, 1, {}, tolerance_);
     if (!prepared) return tl::unexpected<Error>(prepared.error());
     assets_.push_back(*prepared);
     return std::move(prepared->asset);
 }
 
 void AssetStore::add(const PreparedAsset& prepared) {
+    const Asset& asset = *prepared.asset;
     for (const PreparedAsset& known : assets_)
-        if (&known.asset->original() == &prepared.asset->original() &&
-            known.asset->scale() == prepared.asset->scale())
-            return;
+        if (isThat(*known.asset, asset.original(), asset.scale(), asset.density())) return;
     assets_.push_back(prepared);
     if (prepared.overlaps->tolerance() != tolerance_)
         assets_.back().overlaps =

@@ -14,9 +14,9 @@ class AssetStore {
     /// `overlapTolerance`: share of an object's diagonal.
     explicit AssetStore(float overlapTolerance) : tolerance_(overlapTolerance) {}
 
-    /// The asset in that size, made if there is none yet.
+    /// The asset in that size and of that density, made if there is none yet.
     Result<std::shared_ptr<const Asset>> take(const std::shared_ptr<const Asset>& asset,
-                                              float scale);
+                                              float scale, float density = 1);
     void add(const PreparedAsset& prepared);
     /// It must be there.
     [[nodiscard]] const PreparedAsset& find(const Asset& asset) const;

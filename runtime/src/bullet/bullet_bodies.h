@@ -63,6 +63,8 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     /// Lets go the game's bodies that it has taken out of Bullet's world. Without a look at them:
     /// they may be deleted.
     void noticeGone();
+    /// Whether the game is being told something, and must not change anything.
+    [[nodiscard]] bool isTelling() const { return isTelling_; }
     /// Is the game's still.
     [[nodiscard]] bool isAdopted(uint32_t island) const {
         return bodies_[island].body.get_deleter().isGames;
@@ -140,6 +142,13 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     [[nodiscard]] bool isStillThere(uint32_t island);
     void forgetDeleted(uint32_t island) override;
     void lose(uint32_t island);
+    template <class Call>
+    void tell(const Call& call) {
+        if (!listener_) return;
+        isTelling_ = true;
+        call(*listener_);
+        isTelling_ = false;
+    }
     static void move(btRigidBody& body, const BodyMotion& motion);
 
     void watchQuiet(const IslandBody& island);
@@ -152,6 +161,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     IslandWorld* islands_ = nullptr;
     std::span<const BodyRule> rules_;
     GameListener* listener_ = nullptr;
+    bool isTelling_ = false;
     bool releaseAsleep_ = false;
     bool isAsleep_ = false;  ///< the body that is coming apart
     AssetStore assets_;

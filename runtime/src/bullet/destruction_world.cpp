@@ -49,6 +49,8 @@ Result<void> checkInstance(const std::shared_ptr<const Asset>& asset, const Rigi
     return checkDamage(damage);
 }
 
+constexpr const char* kTelling = "a GameListener must not change the world that calls it";
+
 constexpr uint32_t kSavedObject = 0x32484453;  // "SDH2": what it is, and its version
 
 constexpr float kTouch = 1e-3F;  // of the object's diagonal: how near is touching
@@ -218,15 +220,17 @@ class DestructionWorld::Impl final : public btActionInterface {
         return holds_[object];
     }
 
-    /// Whether it is alive, and the game has not just taken it away.
+    /// Whether it is alive, and the game has not just taken it away. Before something changes.
     bool isThere(ObjectId object) {
+        if (!SHERD_ASSERT(!bodies.isTelling())) return false;
         bodies.noticeGone();
         return islands.isAlive(object);
     }
 
     /// Island of a standing fragment of a living object; UINT32_MAX when there is none.
     [[nodiscard]] uint32_t find(ObjectId object, uint32_t fragment) {
-        return isThere(object) ? islands.findIsland(object.index, fragment) : UINT32_MAX;
+        bodies.noticeGone();
+        return islands.isAlive(object) ? islands.findIsland(object.index, fragment) : UINT32_MAX;
     }
 
     btDynamicsWorld& world;
@@ -253,6 +257,7 @@ Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& ass
     if (!isFinite(options.linearVelocity) || !isFinite(options.angularVelocity))
         return fail(ErrorCode::badArgument, "the velocities must be finite", "options");
     Impl& impl = *impl_;
+    if (!SHERD_ASSERT(!impl.bodies.isTelling())) return fail(ErrorCode::badArgument, kTelling);
     try {
         auto sized = impl.bodies.assets().take(asset, options.scale);
         if (!sized) return tl::unexpected<Error>(sized.error());
@@ -277,6 +282,7 @@ Result<ObjectId> DestructionWorld::adopt(btRigidBody& body,
     if (auto ok = checkInstance(asset, options.objectToBody, options.scale, options.damage); !ok)
         return tl::unexpected<Error>(ok.error());
     Impl& impl = *impl_;
+    if (!SHERD_ASSERT(!impl.bodies.isTelling())) return fail(ErrorCode::badArgument, kTelling);
     impl.bodies.noticeGone();
     if (!body.isInWorld() || impl.world.getCollisionObjectArray().findLinearSearch(&body) ==
                                  impl.world.getNumCollisionObjects())
@@ -286,12 +292,13 @@ Result<ObjectId> DestructionWorld::adopt(btRigidBody& body,
     try {
         auto sized = impl.bodies.assets().take(asset, options.scale);
         if (!sized) return tl::unexpected<Error>(sized.error());
-        if (!body.isStaticOrKinematicObject()) {
-            const float mass = (*sized)->fragment(0).mass;
-            if (std::abs(body.getMass() - mass) > 0.01F * mass)
-                log(LogLevel::warning,
-                    "the mass of an adopted body is not that of its asset: what breaks off "
-                    "carries another momentum");
+        // As heavy as the game has it, or what comes off would carry another momentum.
+        constexpr float kSameMass = 1e-5F;
+        const float mass = (*sized)->fragment(0).mass;
+        if (!body.isStaticOrKinematicObject() &&
+            std::abs(body.getMass() - mass) > kSameMass * mass) {
+            sized = impl.bodies.assets().take(*sized, 1, body.getMass() / mass);
+            if (!sized) return tl::unexpected<Error>(sized.error());
         }
         const BodyFilter filter = filterOf(body, options);
         impl.bodies.setNextFilter(filter.group, filter.mask);
@@ -329,7 +336,8 @@ Result<Reload> DestructionWorld::reload(const std::shared_ptr<const Asset>& old,
     for (uint32_t o = 0; o < impl.islands.objectCount(); ++o) {
         const IslandWorld::Object& object = impl.islands.object(o);
         if (!object.asset || &object.asset->original() != &old->original()) continue;
-        auto sized = impl.bodies.assets().take(fresh, object.asset->scale() / fresh->scale());
+        auto sized = impl.bodies.assets().take(fresh, object.asset->scale() / fresh->scale(),
+                                               object.asset->density() / fresh->density());
         if (!sized) return tl::unexpected<Error>(sized.error());
         const ObjectId id = impl.islands.idOf(o);
         const bool isWhole = !object.structure->isDamaged() && object.islands.size() == 1 &&

@@ -56,6 +56,7 @@ bool BulletBodies::isStillThere(uint32_t island) {
 }
 
 void BulletBodies::noticeGone() {
+    if (isTelling_) return;
     for (size_t i = adopted_.size(); i-- > 0;) {
         const uint32_t island = adopted_[i];
         if (isStillThere(island)) continue;
@@ -80,7 +81,7 @@ void BulletBodies::forgetDeleted(uint32_t island) {
 void BulletBodies::lose(uint32_t island) {
     const ObjectId object = islands_->idOf(islands_->island(island).object);
     islands_->lose(island);
-    if (listener_) listener_->onBodyGone(object);
+    tell([&](GameListener& listener) { listener.onBodyGone(object); });
 }
 
 void BulletBodies::beforeSplit(uint32_t island) {
@@ -94,7 +95,9 @@ void BulletBodies::afterSplit(uint32_t island, std::span<const uint32_t> islands
     btRigidBody* old = replaced_ ? replaced_ : bodies_[island].body.get();
     parts_.clear();
     for (const uint32_t i : islands) parts_.push_back(bodies_[i].body.get());
+    isTelling_ = true;
     constraints_.afterSplit(*old, parts_, listener_);
+    isTelling_ = false;
     if (replaced_) announce(islands);
     if (isAsleep_)
         for (const uint32_t i : islands)
@@ -107,7 +110,7 @@ void BulletBodies::announce(std::span<const uint32_t> islands) {
     if (!old) return;
     parts_.clear();
     for (const uint32_t i : islands) parts_.push_back(bodies_[i].body.get());
-    if (listener_) listener_->onReplace(*old, parts_);
+    tell([&](GameListener& listener) { listener.onReplace(*old, parts_); });
     // The game may have deleted it by now.
     const btCollisionObjectArray& all = world_.getCollisionObjectArray();
     if (all.findLinearSearch(old) < all.size()) world_.removeRigidBody(old);

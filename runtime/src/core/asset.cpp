@@ -181,18 +181,23 @@ Result<std::shared_ptr<const Asset>> Asset::checked(std::shared_ptr<const Asset>
 }
 
 Result<std::shared_ptr<const Asset>> Asset::scaled(const std::shared_ptr<const Asset>& asset,
-                                                   float factor) {
+                                                   float factor, float density) {
     if (!asset) return fail(ErrorCode::badArgument, "the asset is null; load one first", "asset");
     if (!(factor > 0) || !std::isfinite(factor))
         return fail(ErrorCode::badArgument, "the scale must be positive and finite", "scale");
+    if (!(density > 0) || !std::isfinite(density))
+        return fail(ErrorCode::badArgument, "the density must be positive and finite", "density");
     try {
         const float scale = asset->scale_ * factor;
+        density *= asset->density_;
         std::shared_ptr<const Asset> original = asset->original_ ? asset->original_ : asset;
-        if (scale == 1) return original;
-        std::shared_ptr<Asset> result(new Asset(scaledBody(original->set_, scale)));
+        if (scale == 1 && density == 1) return original;
+        std::shared_ptr<Asset> result(new Asset(scaledBody(original->set_, scale, density)));
         result->original_ = std::move(original);
         result->scale_ = scale;
-        result->bakeHash_ ^= std::bit_cast<uint32_t>(scale);
+        result->density_ = density;
+        result->bakeHash_ ^= uint64_t(std::bit_cast<uint32_t>(scale)) << 32;
+        result->bakeHash_ ^= std::bit_cast<uint32_t>(density);
         return checked(std::move(result));
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::limitExceeded, "not enough memory for the scaled object");

@@ -5,8 +5,8 @@ namespace sherd {
 
 // Strength (Pa) and toughness (J/m^2) belong to the substance and stay: what breaking consumes
 // grows with the bonds' areas, as it does in things that are larger.
-FractureSet scaledBody(const FractureSet& set, float scale) {
-    const double s = double(scale);
+FractureSet scaledBody(const FractureSet& set, float scale, float density) {
+    const double s = double(scale), d = double(density);
     FractureSet result;
     result.name = set.name;
     result.node = set.node;
@@ -19,10 +19,11 @@ FractureSet scaledBody(const FractureSet& set, float scale) {
     result.levels = set.levels;
     result.fragments = set.fragments;
     for (Fragment& fragment : result.fragments) {
-        fragment.mass = float(double(fragment.mass) * (s * s * s));
+        fragment.mass = float(double(fragment.mass) * (s * s * s) * d);
         fragment.volume = float(double(fragment.volume) * (s * s * s));
         fragment.centerOfMass *= scale;
-        fragment.inertiaDiagonal = glm::dvec3(fragment.inertiaDiagonal) * (s * s * s * s * s);
+        fragment.inertiaDiagonal = glm::dvec3(fragment.inertiaDiagonal) * (s * s * s * s * s * d);
+        fragment.density *= density;
     }
     result.hulls = set.hulls;
     for (ConvexHull& hull : result.hulls) hull.margin *= scale;

@@ -5,7 +5,8 @@
 
 namespace sherd {
 
-/// What a physics engine must know of an object `scale` times as large: all but its geometry.
-FractureSet scaledBody(const FractureSet& set, float scale);
+/// What a physics engine must know of an object `scale` times as large and `density` times as
+/// dense: all but its geometry.
+FractureSet scaledBody(const FractureSet& set, float scale, float density);
 
 }  // namespace sherd

@@ -30,12 +30,14 @@ class Asset {
     static Result<std::shared_ptr<const Asset>> fromFractureSet(FractureSet set);
 
     /// The same object `factor` times as large and of the same substance: lengths, areas, masses
-    /// and inertias by their powers of it. Drawn as the original, scaled: it has no vertices of its
-    /// own. The original itself for 1.
+    /// and inertias by their powers of it, masses also times `density`. Drawn as the original,
+    /// scaled: it has no vertices of its own. The original itself for 1 and 1.
     static Result<std::shared_ptr<const Asset>> scaled(const std::shared_ptr<const Asset>& asset,
-                                                       float factor);
+                                                       float factor, float density = 1);
     /// Metres per metre of `original`.
     [[nodiscard]] float scale() const { return scale_; }
+    /// kg/m^3 per kg/m^3 of `original`.
+    [[nodiscard]] float density() const { return density_; }
     /// What this is a scaled copy of: this when it is none.
     [[nodiscard]] const Asset& original() const { return original_ ? *original_ : *this; }
 
@@ -93,6 +95,7 @@ class Asset {
     uint64_t bakeHash_ = 0;
     std::shared_ptr<const Asset> original_;  ///< null: this is one
     float scale_ = 1;
+    float density_ = 1;
 };
 
 /// The assets of a baked GLB, one per fractured object, in file order. A file that holds none is an

@@ -124,7 +124,7 @@ class DestructionWorld {
 
     /// The same with a body of the game's as the intact object, which must be in the Bullet world
     /// and look like it. It stays the game's and as it is until something comes off, or it cracks;
-    /// then bodies of Sherd's take its place, with its motion and the masses of the asset, and
+    /// then bodies of Sherd's take its place, with its motion and together as heavy, and
     /// `GameListener::onReplace` is called. Sherd uses its user index 3 until then. The game may
     /// take it out of the world, which is noticed, or have it back by `remove`.
     Result<ObjectId> adopt(btRigidBody& body, const std::shared_ptr<const Asset>& asset,
