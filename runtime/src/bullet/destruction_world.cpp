@@ -4,17 +4,15 @@
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletDynamics/Dynamics/btActionInterface.h>
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
-#include <LinearMath/btAabbUtil2.h>
 
 #include <cmath>
 #include <new>
 
+#include "bullet/body_state.h"
 #include "bullet/breaker.h"
 #include "bullet/bullet_bodies.h"
 #include "bullet/convert.h"
-#include "bullet/object_snapshot.h"
-#include "core/finite.h"
-#include "core/structure_bytes.h"
+#include "sherd/runtime/object_state.h"
 
 namespace sherd {
 namespace {
@@ -22,26 +20,13 @@ namespace {
 Result<void> checkSpawn(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
                         const SpawnOptions& options) {
     if (!asset) return fail(ErrorCode::badArgument, "the asset is null; load one first", "asset");
-    if (!isSound(pose)) {
-        return fail(ErrorCode::badArgument,
-                    "the pose must have a finite place and a unit quaternion", "pose");
-    }
-    if (!isFinite(options.linearVelocity) || !isFinite(options.angularVelocity)) {
-        return fail(ErrorCode::badArgument, "the velocities must be finite", "options");
-    }
-    const DamageOptions& damage = options.damage;
-    const bool damageOk = damage.toughnessScale > 0 && damage.strengthScale > 0 &&
-                          damage.levelScale > 0 && damage.immunity >= 0 &&
-                          damage.minimumImpulse >= 0 && damage.minimumEnergy >= 0;
-    if (!damageOk) {
-        return fail(ErrorCode::badArgument,
-                    "the scales must be positive, the minimum values and times not negative",
-                    "options.damage");
-    }
+    if (const char* why = whyRefused(pose)) return fail(ErrorCode::badArgument, why, "pose");
+    const BodyMotion motion{{}, options.linearVelocity, options.angularVelocity};
+    if (const char* why = whyRefused(motion)) return fail(ErrorCode::badArgument, why, "options");
+    if (const char* why = whyRefused(options.damage))
+        return fail(ErrorCode::badArgument, why, "options.damage");
     return {};
 }
-
-constexpr uint32_t kSavedObject = 0x31484453;  // "SDH1": what it is, and its version
 
 constexpr float kTouch = 1e-3F;  // of the object's diagonal: how near is touching
 
@@ -161,6 +146,8 @@ Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& ass
                                          const RigidPose& pose, const SpawnOptions& options) {
     if (auto ok = checkSpawn(asset, pose, options); !ok) return tl::unexpected<Error>(ok.error());
     Impl& impl = *impl_;
+    if (const char* why = whyRefused(impl.settings.damage))
+        return fail(ErrorCode::badArgument, why, "WorldOptions::damage");
     try {
         impl.bodies.prepare(asset);
         // The object's number, and with it its filter, is known only once it is there.
@@ -251,11 +238,7 @@ Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const R
     const uint32_t island = impl_->bodies.islandOf(body);
     if (island == UINT32_MAX)
         return fail(ErrorCode::badArgument, "the body is none of Sherd's", "body");
-    if (!isFinite(hit.point) || !isFinite(hit.normal) || !(hit.energy >= 0) || !(hit.speed >= 0) ||
-        !(hit.impulse >= 0))
-        return fail(ErrorCode::badArgument,
-                    "place and direction must be finite, energy, speed and impulse not negative",
-                    "hit");
+    if (const char* why = whyRefused(hit)) return fail(ErrorCode::badArgument, why, "hit");
     const float consumed =
         impl_->islands.takeHit(island, impl_->bodies.fragmentOf(island, child), hit);
     impl_->bodies.released().settle();
@@ -272,49 +255,34 @@ bool DestructionWorld::anchor(ObjectId object, uint32_t fragment, bool anchored)
 uint32_t DestructionWorld::anchorInBox(ObjectId object, const glm::vec3& low,
                                        const glm::vec3& high) {
     if (!isAlive(object)) return 0;
-    const btVector3 lowCorner = toBullet(low), highCorner = toBullet(high);
-    const auto leaves = impl_->leavesWhere(
-        object.index, [&](const btCollisionShape& shape, const btTransform& place) {
-            btVector3 shapeLow, shapeHigh;
-            shape.getAabb(place, shapeLow, shapeHigh);
-            return TestAabbAgainstAabb2(shapeLow, shapeHigh, lowCorner, highCorner);
-        });
-    impl_->islands.pin(object.index, leaves, true);
-    return uint32_t(leaves.size());
+    return impl_->islands.pinInBox(object.index, low, high);
 }
 
 std::vector<uint8_t> DestructionWorld::save(ObjectId object) const {
-    std::vector<uint8_t> bytes;
-    if (!isAlive(object)) return bytes;
-    ByteWriter to(bytes);
-    const IslandWorld::Object& saved = impl_->islands.object(object.index);
-    to.u32(kSavedObject);
-    to.f64(time());
-    writeStructure(*saved.structure, to);
-    to.u32(uint32_t(saved.islands.size()));
-    for (const uint32_t i : saved.islands)
-        writeIsland(impl_->islands.island(i), impl_->bodies.body(i), to);
-    return bytes;
+    if (!isAlive(object)) return {};
+    std::vector<uint8_t> bodies;
+    ByteWriter to(bodies);
+    for (const uint32_t i : impl_->islands.object(object.index).islands)
+        writeBodyState(impl_->bodies.body(i), to);
+    return saveObject(impl_->islands, object.index, kBulletState, bodies);
 }
 
 Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t> bytes) {
     if (!isAlive(object)) return fail(ErrorCode::badArgument, "the object is gone", "object");
-    ByteReader from(bytes);
-    if (from.u32() != kSavedObject)
-        return fail(ErrorCode::invalidData, "these are not the bytes of a saved object", "bytes");
-    const double savedAt = from.f64();
-    IslandWorld::Object& restored = impl_->islands.object(object.index);
-    auto snapshot = readSnapshot(restored.asset, from);
-    if (!snapshot) return tl::unexpected<Error>(snapshot.error());
-    if (!from.isAtEnd() || !std::isfinite(savedAt))
-        return fail(ErrorCode::invalidData, "the saved object does not end where it should",
-                    "bytes");
-    for (auto& island : snapshot->islands) island.bornAt += time() - savedAt;
-    impl_->islands.replace(object.index, std::move(*snapshot->structure),
-                           std::move(snapshot->islands));
+    const IslandWorld::Object& restored = impl_->islands.object(object.index);
+    auto saved = readSavedObject(restored.asset, bytes);
+    if (!saved) return tl::unexpected<Error>(saved.error());
+    std::optional<std::vector<BodyState>> states;
+    if (saved->engine == kBulletState) {
+        states = readBodyStates(saved->engineBytes, saved->islands.size());
+        if (!states)
+            return fail(ErrorCode::invalidData,
+                        "the saved object is unusable: its bodies' states are none", "bytes");
+    }
+    restoreObject(impl_->islands, object.index, std::move(*saved));
     for (size_t i = 0; i < restored.islands.size(); ++i) {
         btRigidBody& body = impl_->bodies.body(restored.islands[i]);
-        restoreBody(snapshot->bodies[i], body);
+        if (states) restoreBodyState((*states)[i], body);
         impl_->bodies.noteTransform(restored.islands[i]);
         if (body.isInWorld()) impl_->world.updateSingleAabb(&body);
     }

@@ -25,6 +25,10 @@ struct BodyMotion {
     glm::vec3 angularVelocity{0.0F};  ///< rad/s, world
 };
 
+/// An error's text, or nullptr for a finite place, a unit rotation and finite velocities.
+const char* whyRefused(const RigidPose& pose);
+const char* whyRefused(const BodyMotion& motion);
+
 /// What a physics engine must know of an island to make a body of it.
 struct IslandBody {
     uint32_t island = 0;  ///< number of the body, for as long as it lives
@@ -47,6 +51,9 @@ struct ReportedHit {
     float speed = 0;         ///< m/s, which gives the stress
     float impulse = 0;       ///< N s, for the event and the minimum of the options
 };
+
+/// An error's text, or nullptr when the hit can be taken.
+const char* whyRefused(const ReportedHit& hit);
 
 /// A physics engine, as far as breaking needs one. Calls come from within the calls of IslandWorld.
 class BodyTable {
@@ -145,14 +152,16 @@ class IslandWorld {
     /// Pins leaves, or lets them go, and has the bodies follow.
     void pin(uint32_t object, std::span<const uint32_t> leaves, bool pinned);
     bool pinFragment(uint32_t object, uint32_t fragment, bool pinned);
+    /// Pins the leaves whose colliders' bounds reach into a box of the world. Returns how many.
+    uint32_t pinInBox(uint32_t object, const glm::vec3& low, const glm::vec3& high);
 
     /// One island as another world had it.
     struct SavedIsland {
         std::vector<uint32_t> fragments;  ///< ascending
         bool isFixed = false, isAnchored = false;
         double bornAt = 0;
-        RigidPose pose, previous;
-        BodyMotion motion;
+        RigidPose pose, previous;  ///< of the object's frame
+        BodyMotion motion;         ///< of its body, which is put there to the bit
     };
     /// In place of what the object was. Fires nothing. The islands must share out what stands.
     void replace(uint32_t object, Structure&& structure, std::vector<SavedIsland>&& islands);
@@ -172,11 +181,13 @@ class IslandWorld {
     /// In which a fragment stands; UINT32_MAX when it does not.
     [[nodiscard]] uint32_t findIsland(uint32_t object, uint32_t fragment) const;
     [[nodiscard]] uint32_t islandCount() const { return islandCount_; }
+    /// Of an island's body now.
+    [[nodiscard]] BodyMotion motionOf(uint32_t island) const { return bodies_.motion(island); }
 
   private:
     uint32_t takeIsland();
     [[nodiscard]] IslandBody describe(uint32_t island) const;
-    void create(IslandBody body);
+    void create(IslandBody body, const RigidPose* bodyPose = nullptr);
     void removeIslands(Object& object);
     void settle(uint32_t island, uint32_t fragment, BreakEvent event);
     void strain(uint32_t island);
