@@ -91,6 +91,9 @@ TEST_CASE("a save with another adapter's bytes, or of another version, is told a
     saved[basis + 3] ^= 0x40;
     CHECK_FALSE(destruction.restore(box, saved).has_value());
     saved[basis + 3] ^= 0x40;
+    saved[basis + 3] ^= 0x80;  // a mirror, whose rows are of unit length
+    CHECK_FALSE(destruction.restore(box, saved).has_value());
+    saved[basis + 3] ^= 0x80;
     REQUIRE(destruction.restore(box, saved).has_value());
     saved[3] = '1';
     const auto refused = destruction.restore(box, saved);
@@ -98,6 +101,47 @@ TEST_CASE("a save with another adapter's bytes, or of another version, is told a
     CHECK(refused.error().message.find("another version") != std::string::npos);
     saved[0] = 'X';
     CHECK_FALSE(destruction.restore(box, saved).has_value());
+}
+
+TEST_CASE("a state that no object gets into is refused") {
+    const auto asset = makeBox(kBox);
+    StillBodies bodies;
+    IslandWorld table(bodies);
+    const ObjectId box = table.spawn(asset, at(0, 0, 0), {}, true, {});
+    Structure& structure = *table.object(box.index).structure;
+    const auto refusal = [&] {
+        const auto read = readSavedObject(asset, saveObject(table, box.index));
+        return read ? std::string() : read.error().message;
+    };
+    CHECK(refusal().empty());
+    structure.breakBond(0);  // and nothing opens
+    CHECK(refusal().find("stands whole") != std::string::npos);
+    structure.open(0);
+    table.regroup(0);
+    (void)table.split(0, {});
+    REQUIRE(table.islandCount() == 1);
+    while (structure.fragmentAt(structure.graph().bond(0).a) ==
+           structure.fragmentAt(structure.graph().bond(0).b)) {
+        structure.open(structure.fragmentAt(structure.graph().bond(0).a));
+        table.regroup(0);
+        (void)table.split(0, {});
+    }
+    CHECK(refusal().empty());
+    for (const uint32_t fragment : table.island(0).fragments)
+        for (uint32_t b = 0; b < structure.graph().bonds().size(); ++b)
+            if (structure.fragmentAt(structure.graph().bond(b).a) == fragment &&
+                structure.fragmentAt(structure.graph().bond(b).b) != fragment)
+                structure.breakBond(b);  // and nothing comes apart
+    CHECK(refusal().find("hang together") != std::string::npos);
+}
+
+TEST_CASE("an object breaks however far away it is") {
+    const auto asset = makeBox(kBox);
+    StillBodies bodies;
+    IslandWorld table(bodies);
+    const ObjectId box = table.spawn(asset, at(1e30F, 0, 0), {}, true, {});
+    table.breakAll(box.index);
+    CHECK(table.islandCount() == asset->graph().leafCount());
 }
 
 TEST_CASE("what adapters take from a game is refused for the same reasons") {

@@ -13,8 +13,9 @@ bool isSound(const BodyState& state) {
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             if (!(std::abs(turn[i][j] - (i == j ? 1 : 0)) < 1e-3F)) return false;
-    return state.activation >= ACTIVE_TAG && state.activation <= DISABLE_SIMULATION &&
-           state.quietFor >= 0;
+    // A mirror's rows are of unit length, too.
+    return state.basis.determinant() > 0 && state.activation >= ACTIVE_TAG &&
+           state.activation <= DISABLE_SIMULATION && state.quietFor >= 0;
 }
 
 }  // namespace

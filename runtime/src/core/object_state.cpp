@@ -69,10 +69,11 @@ bool isSound(const IslandWorld::SavedIsland& island) {
            !std::isnan(island.bornAt);
 }
 
-/// Every fragment that stands is part of one island.
+/// Every fragment that stands is part of one island, and each island is one piece.
 const char* whyRefused(const SavedObject& saved) {
     const Asset& asset = saved.structure.asset();
     uint32_t leaves = 0;
+    IslandFinder groups;
     std::vector<uint8_t> seen(asset.fragmentCount(), 0);
     for (const IslandWorld::SavedIsland& island : saved.islands) {
         const std::vector<uint32_t>& fragments = island.fragments;
@@ -85,6 +86,10 @@ const char* whyRefused(const SavedObject& saved) {
             seen[f] = 1;
             leaves += asset.graph().leavesOf(f).count;
         }
+        groups.find(saved.structure, fragments);
+        if (groups.islands().size() != 1) return "an island does not hang together";
+        if (groups.islands()[0].anchored != island.isAnchored)
+            return "an island is not anchored as its fragments are";
     }
     return leaves == asset.graph().leafCount() ? nullptr : "a part of the object is missing";
 }

@@ -189,6 +189,7 @@ class IslandWorld {
     [[nodiscard]] IslandBody describe(uint32_t island) const;
     void create(IslandBody body, const RigidPose* bodyPose = nullptr);
     void removeIslands(Object& object);
+    uint32_t dealTo(uint32_t island, const AreaDamage& damage, const glm::vec3& point);
     void settle(uint32_t island, uint32_t fragment, BreakEvent event);
     void strain(uint32_t island);
     void addEvent(BreakEvent event, uint32_t island, uint32_t bodies);
