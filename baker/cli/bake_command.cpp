@@ -27,6 +27,8 @@ struct BakeArguments {
     LevelArguments lines;
     ImportOptions import;
     std::string interior, interiorMaterial;
+    std::string encoding = "none";
+    GeometryPacking packing;
     std::optional<double> shellThickness;
     std::optional<double> density;
     std::optional<double> unitScale;
@@ -265,7 +267,20 @@ void reportIdleThickness(const std::vector<BakeOrder>& orders, BakeReport& repor
     }
 }
 
+/// A bake may take long: that it could not be written is said at its start.
+Result<GeometryPacking> choosePacking(const BakeArguments& arguments) {
+    GeometryPacking packing = arguments.packing;
+    if (arguments.encoding == "draco") packing.encoding = GeometryPacking::Encoding::draco;
+    if (packing.encoding == GeometryPacking::Encoding::draco && !hasDraco())
+        return fail(ErrorCode::unsupported,
+                    "--encoding draco: this build of Sherd has no Draco; configure it with "
+                    "-DSHERD_DRACO=ON");
+    return packing;
+}
+
 Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& progress) {
+    const Result<GeometryPacking> packing = choosePacking(arguments);
+    if (!packing) return tl::unexpected(packing.error());
     const Result<Recipe> common = gatherRecipe(arguments);
     if (!common) return tl::unexpected(common.error());
     if (auto writable = checkOutputs(arguments, *common); !writable)
@@ -275,7 +290,7 @@ Result<BakedFile> bakeFiles(const BakeArguments& arguments, const Progress& prog
     if (!model) return tl::unexpected(model.error());
     const Result<ObjectRecipes> objects = gatherRecipes(arguments, *common, *model);
     if (!objects) return tl::unexpected(objects.error());
-    Result<BakedFile> baked = bakeModel(*model, objects->orders, progress);
+    Result<BakedFile> baked = bakeModel(*model, objects->orders, progress, *packing);
     if (!baked) {
         Error error = baked.error();
         error.where = arguments.model.string() + (error.where.empty() ? "" : ", ") + error.where;
@@ -363,6 +378,17 @@ void addBakeCommand(CLI::App& app, int& exitCode) {
     command->add_flag(
         "--allow-open", arguments->allowOpen,
         "Bake open and non-manifold meshes too; their pieces get a rim along the border");
+    command
+        ->add_option("--encoding", arguments->encoding,
+                     "How the pieces' geometry is stored: none, or draco, several times smaller "
+                     "and slower to load; readers need a build with Draco, too")
+        ->check(CLI::IsMember({"none", "draco"}))
+        ->capture_default_str();
+    command
+        ->add_option("--position-bits", arguments->packing.positionBits,
+                     "With --encoding draco: places lie on a grid of so many bits")
+        ->check(CLI::Range(8U, 30U))
+        ->capture_default_str();
     command
         ->add_option("--threads", arguments->threads,
                      "At most so many threads; the result is the same (default 2)")

@@ -34,7 +34,7 @@ class ModelBake {
         orders_ = orders;
     }
 
-    Result<BakedFile> run(const Progress& progress) {
+    Result<BakedFile> run(const Progress& progress, const GeometryPacking& packing) {
         for (RecipeUse& use : uses_)
             if (auto ok = prepare(use); !ok) return tl::unexpected(ok.error());
         for (size_t i = 0; i < model_.meshes.size(); ++i)
@@ -42,7 +42,8 @@ class ModelBake {
         for (const RecipeUse& use : uses_)
             if (auto ok = judge(use); !ok) return tl::unexpected(ok.error());
         if (progress) progress("writing", 0.97);
-        Result<std::vector<uint8_t>> glb = attachFractureSets(model_.document, sets_, added_);
+        Result<std::vector<uint8_t>> glb =
+            attachFractureSets(model_.document, sets_, added_, packing);
         if (!glb) return tl::unexpected(glb.error());
         file_.glb = std::move(*glb);
         return std::move(file_);
@@ -98,9 +99,9 @@ class ModelBake {
 }  // namespace
 
 Result<BakedFile> bakeModel(const Model& model, const std::vector<BakeOrder>& orders,
-                            const Progress& progress) {
+                            const Progress& progress, const GeometryPacking& packing) {
     const auto start = std::chrono::steady_clock::now();
-    Result<BakedFile> file = ModelBake(model, orders).run(progress);
+    Result<BakedFile> file = ModelBake(model, orders).run(progress, packing);
     if (file)
         file->report.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

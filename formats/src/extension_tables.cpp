@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "extension_name.h"
+#include "quantized_stream.h"
 
 namespace sherd {
 
@@ -121,7 +122,7 @@ Json bondsJson(const FractureSet& set, TableWriter& tables) {
     return out;
 }
 
-Json geometryJson(const FractureGeometry& geometry, TableWriter& tables) {
+Json plainGeometry(const FractureGeometry& geometry, TableWriter& tables) {
     Json out = {{"encoding", "none"},
                 {"vertexCount", geometry.positions.size()},
                 {"indexCount", geometry.indices.size()}};
@@ -132,11 +133,40 @@ Json geometryJson(const FractureGeometry& geometry, TableWriter& tables) {
         to[attribute.semantic] = tables.floats(attribute.values, attribute.components);
     out["indices"] = tables.integers(geometry.indices, 1);
     tables.endView();
+    return out;
+}
+
+Result<Json> dracoGeometry(const FractureGeometry& geometry, TableWriter& tables,
+                           const GeometryPacking& packing) {
+    const auto mesh = quantize(geometry, packing);
+    if (!mesh) return tl::unexpected<Error>(mesh.error());
+    const auto stream = encodeDraco(*mesh);
+    if (!stream) return tl::unexpected<Error>(stream.error());
+    Json out = {{"encoding", "draco"},
+                {"vertexCount", mesh->vertexCount},
+                {"indexCount", mesh->indices.size()}};
+    for (size_t a = 0; a < mesh->attributes.size(); ++a) {
+        const QuantizedAttribute& attribute = mesh->attributes[a];
+        out["attributes"][attribute.semantic] = {{"id", a},
+                                                 {"components", attribute.components},
+                                                 {"origin", attribute.origin},
+                                                 {"step", attribute.step}};
+    }
+    out["stream"] = tables.bytes(*stream);
+    return out;
+}
+
+Result<Json> geometryJson(const FractureGeometry& geometry, TableWriter& tables,
+                          const GeometryPacking& packing) {
+    Result<Json> out = packing.encoding == GeometryPacking::Encoding::draco
+                           ? dracoGeometry(geometry, tables, packing)
+                           : plainGeometry(geometry, tables);
+    if (!out) return out;
     for (const Primitive& p : geometry.primitives) {
         Json entry = {{"material", p.material}, {"exposedFrom", p.exposedFrom}};
         if (p.sheet) entry["sheet"] = true;
         entry["indices"] = {{"first", p.indices.first}, {"count", p.indices.count}};
-        out["primitives"].push_back(std::move(entry));
+        (*out)["primitives"].push_back(std::move(entry));
     }
     return out;
 }
@@ -153,6 +183,13 @@ void TableWriter::endView() {
         Json{{"buffer", 0}, {"byteOffset", viewBegin_}, {"byteLength", bin_.size() - viewBegin_}}
             .dump());
     ++viewCount_;
+}
+
+size_t TableWriter::bytes(std::span<const uint8_t> bytes) {
+    beginView();
+    bin_.insert(bin_.end(), bytes.begin(), bytes.end());
+    endView();
+    return viewCount_ - 1;
 }
 
 size_t TableWriter::floats(std::span<const float> values, uint32_t components) {
@@ -178,7 +215,8 @@ size_t TableWriter::add(std::span<const uint8_t> bytes, uint32_t componentType,
     return accessorCount_++;
 }
 
-Json fractureJson(const FractureSet& set, TableWriter& tables) {
+Result<Json> fractureJson(const FractureSet& set, TableWriter& tables,
+                          const GeometryPacking& packing) {
     Json out;
     if (!set.name.empty()) out["name"] = set.name;
     out["mesh"] = set.mesh;
@@ -198,7 +236,9 @@ Json fractureJson(const FractureSet& set, TableWriter& tables) {
     if (!set.hulls.empty()) out["hulls"] = hullsJson(set, tables);
     if (!set.bonds.empty()) out["bonds"] = bondsJson(set, tables);
     tables.endView();
-    out["geometry"] = geometryJson(set.geometry, tables);
+    Result<Json> geometry = geometryJson(set.geometry, tables, packing);
+    if (!geometry) return geometry;
+    out["geometry"] = std::move(*geometry);
     return out;
 }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "sherd/formats/fracture_set.h"
+#include "sherd/formats/geometry_packing.h"
+#include "sherd/formats/result.h"
 
 namespace sherd {
 
@@ -25,6 +27,9 @@ class TableWriter {
     size_t floats(std::span<const float> values, uint32_t components);
     size_t integers(std::span<const uint32_t> values, uint32_t components);
 
+    /// A bufferView of its own, of anything; its index.
+    size_t bytes(std::span<const uint8_t> bytes);
+
     const std::vector<std::string>& views() const { return views_; }
     const std::vector<std::string>& accessors() const { return accessors_; }
 
@@ -40,6 +45,7 @@ class TableWriter {
 };
 
 /// One fracture set as the JSON of `fractures[i]`; its numbers go into the tables.
-nlohmann::ordered_json fractureJson(const FractureSet& set, TableWriter& tables);
+Result<nlohmann::ordered_json> fractureJson(const FractureSet& set, TableWriter& tables,
+                                            const GeometryPacking& packing);
 
 }  // namespace sherd

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "fracture_rules.h"
+#include "sherd/formats/fracture_rules.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,7 +37,75 @@ float squaredLength(const glm::vec3& v) {
     return v.x * v.x + v.y * v.y + v.z * v.z;
 }
 
-MaybeError checkLevels(FractureSet& set, const std::string& where) {
+bool isFinite(float x) {
+    return std::isfinite(x);
+}
+bool isFinite(const glm::vec3& v) {
+    return isFinite(v.x) && isFinite(v.y) && isFinite(v.z);
+}
+template <class Numbers>
+bool areFinite(const Numbers& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](const auto& x) { return isFinite(x); });
+}
+
+/// What a file cannot get wrong, but a set made in memory can.
+MaybeError checkSizes(const FractureSet& set, const std::string& where) {
+    const FractureGeometry& g = set.geometry;
+    if (set.fragments.empty()) return wrong("there are no fragments", where + "/fragments");
+    if (set.fragmentRanges.size() != set.fragments.size() * g.primitives.size())
+        return wrong("there must be one range for every fragment and primitive",
+                     where + "/fragments/attributes/RANGES");
+    for (const Attribute& attribute : g.attributes)
+        if (attribute.components < 1 || attribute.components > 4 ||
+            attribute.values.size() != g.positions.size() * attribute.components)
+            return wrong("every vertex must have its 1 to 4 components",
+                         where + "/geometry/attributes/" + attribute.semantic);
+    return {};
+}
+
+MaybeError checkFinite(const FractureSet& set, const std::string& where) {
+    const auto refuse = [&](const char* place) {
+        return wrong("there are numbers that are not finite", where + place);
+    };
+    const glm::quat& turn = set.restPose.rotation;
+    if (!isFinite(set.restPose.translation) || !isFinite(glm::vec3(turn.x, turn.y, turn.z)) ||
+        !isFinite(turn.w))
+        return refuse("/restPose");
+    if (!areFinite(set.geometry.positions)) return refuse("/geometry/attributes/POSITION");
+    for (const Attribute& attribute : set.geometry.attributes)
+        if (!areFinite(attribute.values))
+            return wrong("there are numbers that are not finite",
+                         where + "/geometry/attributes/" + attribute.semantic);
+    if (!areFinite(set.hullPoints)) return refuse("/hulls/points");
+    for (const ConvexHull& hull : set.hulls)
+        if (!isFinite(hull.margin)) return refuse("/hulls/attributes/MARGIN");
+    for (size_t i = 0; i < set.fragments.size(); ++i) {
+        const Fragment& f = set.fragments[i];
+        const auto of = [&](const char* attribute) {
+            return wrong("fragment " + std::to_string(i) + ": this must be finite",
+                         where + "/fragments/attributes/" + attribute);
+        };
+        if (!isFinite(f.mass)) return of("MASS");
+        if (!isFinite(f.volume)) return of("VOLUME");
+        if (!isFinite(f.centerOfMass)) return of("CENTER_OF_MASS");
+        if (!isFinite(f.inertiaDiagonal)) return of("INERTIA_DIAGONAL");
+        if (!isFinite(f.density)) return of("DENSITY");
+        if (!isFinite(f.friction)) return of("FRICTION");
+        if (!isFinite(f.restitution)) return of("RESTITUTION");
+        if (!isFinite(f.strength)) return of("STRENGTH");
+        if (!isFinite(f.toughness)) return of("TOUGHNESS");
+    }
+    for (size_t b = 0; b < set.bonds.size(); ++b) {
+        const Bond& bond = set.bonds[b];
+        if (!isFinite(bond.centroid) || !isFinite(bond.normal) ||
+            !areFinite(std::array{bond.area, bond.strength, bond.toughness}))
+            return wrong("bond " + std::to_string(b) + ": its numbers must be finite",
+                         where + "/bonds/attributes");
+    }
+    return {};
+}
+
+MaybeError checkLevels(const FractureSet& set, const std::string& where) {
     uint64_t next = 0;
     for (size_t k = 0; k < set.levels.size(); ++k) {
         const Range range = set.levels[k].fragments;
@@ -45,11 +114,16 @@ MaybeError checkLevels(FractureSet& set, const std::string& where) {
             (k == 0 && range.count != 1))
             return wrong("levels must follow each other, level 0 holding the object alone", at);
         next += range.count;
-        for (uint32_t f = range.first; f < next; ++f)
-            set.fragments[f].level = static_cast<uint32_t>(k);
     }
     if (next != set.fragments.size())
         return wrong("every fragment must belong to one level", where + "/levels");
+    for (size_t k = 0; k < set.levels.size(); ++k) {
+        const Range range = set.levels[k].fragments;
+        for (uint32_t f = range.first; f < range.first + range.count; ++f)
+            if (set.fragments[f].level != k)
+                return wrong("fragment " + std::to_string(f) + " is of another level",
+                             where + "/levels/" + std::to_string(k));
+    }
     return {};
 }
 
@@ -185,7 +259,18 @@ MaybeError checkBonds(const FractureSet& set, const std::string& where) {
 
 }  // namespace
 
-std::optional<Error> applyFractureRules(FractureSet& set, const std::string& where) {
+void numberLevels(FractureSet& set) {
+    for (size_t k = 0; k < set.levels.size(); ++k) {
+        const Range range = set.levels[k].fragments;
+        if (!inside(range, set.fragments.size())) return;
+        for (uint32_t f = range.first; f < range.first + range.count; ++f)
+            set.fragments[f].level = static_cast<uint32_t>(k);
+    }
+}
+
+std::optional<Error> brokenFractureRule(const FractureSet& set, const std::string& where) {
+    if (auto error = checkSizes(set, where)) return error;
+    if (auto error = checkFinite(set, where)) return error;
     if (!isUnit(squaredLength(set.restPose.rotation)))
         return wrong("this must be a unit quaternion", where + "/restPose/rotation");
     if (auto error = checkLevels(set, where)) return error;

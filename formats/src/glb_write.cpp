@@ -11,6 +11,7 @@
 #include "extension_tables.h"
 #include "gltf_resources.h"
 #include "json_text.h"
+#include "packing_check.h"
 #include "sherd/formats/glb_read.h"
 #include "source_hash.h"
 
@@ -196,7 +197,8 @@ class Attacher {
         : document_(std::move(document)), text_(std::move(text)) {}
 
     Result<GltfDocument> run(std::span<const FractureSet> sets,
-                             std::span<const NewMaterial> newMaterials, size_t materialCountGiven) {
+                             std::span<const NewMaterial> newMaterials, size_t materialCountGiven,
+                             const GeometryPacking& packing) {
         const auto parsed = nlohmann::json::parse(text_.raw(text_.root()));
         const size_t firstMaterial = sizeOf(list("materials"));
         const size_t firstView = sizeOf(list("bufferViews"));
@@ -215,7 +217,9 @@ class Attacher {
                 if (material >= static_cast<int32_t>(materialCountGiven))
                     material += static_cast<int32_t>(firstMaterial) -
                                 static_cast<int32_t>(materialCountGiven);
-            fractures.push_back(fractureJson(set, tables));
+            auto fracture = fractureJson(set, tables, packing);
+            if (!fracture) return tl::unexpected<Error>(fracture.error());
+            fractures.push_back(std::move(*fracture));
         }
         document_.bin.resize((document_.bin.size() + 3) / 4 * 4);
         std::vector<std::string> materials;
@@ -362,7 +366,8 @@ Result<GltfDocument> withoutFractureSets(const GltfDocument& document) {
 
 Result<std::vector<uint8_t>> attachFractureSets(const GltfDocument& document,
                                                 std::span<const FractureSet> sets,
-                                                std::span<const NewMaterial> newMaterials) {
+                                                std::span<const NewMaterial> newMaterials,
+                                                const GeometryPacking& packing) {
     const auto given = JsonText::parse(document.json, "");
     if (!given) return tl::unexpected<Error>(given.error());
     const size_t materialCount = sizeOf(JsonText::find(&given->root(), "materials"));
@@ -380,18 +385,22 @@ Result<std::vector<uint8_t>> attachFractureSets(const GltfDocument& document,
     if (sets.empty()) return toGlb(*source);
     auto text = JsonText::parse(source->json, "");
     if (!text) return tl::unexpected<Error>(text.error());
-    auto out =
-        Attacher(std::move(*source), std::move(*text)).run(sets, newMaterials, materialCount);
+    auto out = Attacher(std::move(*source), std::move(*text))
+                   .run(sets, newMaterials, materialCount, packing);
     if (!out) return tl::unexpected<Error>(out.error());
     if (out->bin.size() + out->json.size() > std::numeric_limits<uint32_t>::max() - 64U)
         return fail(ErrorCode::limitExceeded,
                     "the file would exceed the 4 GiB that a GLB can hold");
     std::vector<uint8_t> glb = toGlb(*out);
     // Nothing leaves this function that the reader would refuse.
-    if (auto readBack = readFractureSets(glb); !readBack)
+    auto readBack = readFractureSets(glb);
+    if (!readBack)
         return fail(ErrorCode::invalidData,
                     "the fracture set is not valid: " + readBack.error().message,
                     readBack.error().where);
+    for (size_t i = 0; packing.encoding != GeometryPacking::Encoding::none && i < sets.size(); ++i)
+        if (auto closed = checkPacked(sets[i], (*readBack)[i]); !closed)
+            return tl::unexpected<Error>(closed.error());
     return glb;
 }
 

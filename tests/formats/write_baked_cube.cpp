@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// write_baked_cube FILE [joined]: a small baked file for the tools that judge files from outside;
-// with `joined` one whose object consists of two nodes and has fragments of named materials,
-// otherwise one whose object stands in two places.
+// write_baked_cube FILE [joined|draco]: a small baked file for the tools that judge files from
+// outside; with `joined` one whose object consists of two nodes and has fragments of named
+// materials, otherwise one whose object stands in two places.
 #include <cstring>
 
 #include "support/fractured_cube.h"
@@ -26,6 +26,9 @@ int main(int argc, char** argv) {
         set.sameNodes = {1};
     }
     const sherd::NewMaterial inside{"inside", {0.8F, 0.7F, 0.6F, 1.0F}, 0.0F, 1.0F};
-    const auto glb = sherd::attachFractureSets(document, {&set, 1}, {&inside, 1});
+    sherd::GeometryPacking packing;
+    if (argc == 3 && std::strcmp(argv[2], "draco") == 0)
+        packing.encoding = sherd::GeometryPacking::Encoding::draco;
+    const auto glb = sherd::attachFractureSets(document, {&set, 1}, {&inside, 1}, packing);
     return glb && sherd::writeFileWhole(argv[1], *glb) ? 0 : 1;
 }

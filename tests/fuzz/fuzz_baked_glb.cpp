@@ -4,6 +4,7 @@
 #include "glb_mutation.h"
 #include "sherd/formats/validate.h"
 #include "sherd/runtime/island_world.h"
+#include "support/still_bodies.h"
 
 namespace {
 
@@ -14,25 +15,8 @@ bool within(Range range, size_t count) {
     return size_t{range.first} + range.count <= count;
 }
 
-/// An engine in which nothing moves.
-class StillBodies final : public BodyTable {
-  public:
-    void create(const IslandBody& body) override { take(body); }
-    void update(const IslandBody& body) override { take(body); }
-    void remove(uint32_t) override {}
-    [[nodiscard]] BodyMotion motion(uint32_t island) const override { return motions_[island]; }
-
-  private:
-    void take(const IslandBody& body) {
-        if (motions_.size() <= body.island) motions_.resize(body.island + 1);
-        motions_[body.island] = body.motion;
-        require(body.mass >= 0 && std::isfinite(body.mass), "a body has a mass");
-    }
-    std::vector<BodyMotion> motions_;
-};
-
 void breakUp(const std::shared_ptr<const Asset>& asset) {
-    StillBodies bodies;
+    test::StillBodies bodies;
     IslandWorld world(bodies);
     const ObjectId object = world.spawn(asset, {}, {}, true, {});
     ReportedHit hit;
@@ -44,6 +28,8 @@ void breakUp(const std::shared_ptr<const Asset>& asset) {
     world.workOnStress({0, -10, 0}, 8);
     world.breakAll(object.index);
     require(world.poses().size() <= asset->fragmentCount(), "no fragment is drawn twice");
+    for (const float mass : bodies.masses)
+        require(mass >= 0 && std::isfinite(mass), "a body has a mass");
     world.remove(object.index);
 }
 

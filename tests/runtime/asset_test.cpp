@@ -35,7 +35,7 @@ TEST_CASE("an empty set is refused") {
 
 TEST_CASE("a tree with a cycle, a stranger or a lost child is refused") {
     CHECK(errorAfter([](FractureSet& s) { s.fragments[0].parent = 3; }).where ==
-          "/fragments/0/parent");
+          "/fragments/attributes/PARENT");
     errorAfter([](FractureSet& s) { s.fragments[1].children = {0, 1}; });
     errorAfter([](FractureSet& s) { s.fragments[1].children = {1, 1}; });
     errorAfter([](FractureSet& s) { s.fragments[0].children = {1, UINT32_MAX}; });
@@ -48,7 +48,7 @@ TEST_CASE("a tree with a cycle, a stranger or a lost child is refused") {
 
 TEST_CASE("numbers that are not finite or not positive are refused, and the place is named") {
     CHECK(errorAfter([](FractureSet& s) { s.fragments[2].mass = kNan; }).where ==
-          "/fragments/2/mass");
+          "/fragments/attributes/MASS");
     errorAfter([](FractureSet& s) { s.fragments[2].mass = 0; });
     errorAfter([](FractureSet& s) { s.fragments[2].mass = -1; });
     errorAfter([](FractureSet& s) { s.fragments[2].inertiaDiagonal.y = 0; });

@@ -137,8 +137,9 @@ inline void addGeometry(FractureSet& set, const Box& object, const std::vector<B
     geometry.attributes = {{"NORMAL", 3, {}}};
     set.materials = {-1, -1};
     const size_t fragmentCount = set.fragments.size();
+    const auto primitiveCount = uint32_t(set.levels.size());
     std::array<std::vector<Range>, 3> ranges;
-    for (uint32_t p = 0; p < 3; ++p) {
+    for (uint32_t p = 0; p < primitiveCount; ++p) {
         ranges[p].assign(fragmentCount, Range{});
         const auto first = uint32_t(geometry.indices.size());
         for (const uint32_t leaf : leaves) {
@@ -163,7 +164,7 @@ inline void addGeometry(FractureSet& set, const Box& object, const std::vector<B
             {p == 0 ? 0U : 1U, p, {first, uint32_t(geometry.indices.size()) - first}});
     }
     for (size_t f = 0; f < fragmentCount; ++f) {
-        for (uint32_t p = 0; p < 3; ++p) set.fragmentRanges.push_back(ranges[p][f]);
+        for (uint32_t p = 0; p < primitiveCount; ++p) set.fragmentRanges.push_back(ranges[p][f]);
     }
 }
 

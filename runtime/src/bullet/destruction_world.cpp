@@ -4,54 +4,40 @@
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 #include <BulletDynamics/Dynamics/btActionInterface.h>
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
-#include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <new>
 
 #include "bullet/adviser.h"
+#include "bullet/body_state.h"
 #include "bullet/breaker.h"
 #include "bullet/bullet_bodies.h"
 #include "bullet/convert.h"
-#include "bullet/object_snapshot.h"
 #include "core/debris.h"
 #include "core/finite.h"
 #include "core/report.h"
-#include "core/structure_bytes.h"
 #include "sherd/runtime/bullet/game_listener.h"
 #include "sherd/runtime/bullet/prepared_asset.h"
+#include "sherd/runtime/object_state.h"
 
 namespace sherd {
 namespace {
-
-Result<void> checkDamage(const DamageOptions& damage) {
-    const bool damageOk = damage.toughnessScale > 0 && damage.strengthScale > 0 &&
-                          damage.levelScale > 0 && damage.immunity >= 0 &&
-                          damage.minimumImpulse >= 0 && damage.minimumEnergy >= 0;
-    if (damageOk) return {};
-    return fail(ErrorCode::badArgument,
-                "the scales must be positive, the minimum values and times not negative",
-                "options.damage");
-}
 
 /// Of what stands for the asset.
 Result<void> checkInstance(const std::shared_ptr<const Asset>& asset, const RigidPose& pose,
                            float scale, const DamageOptions& damage) {
     if (!asset) return fail(ErrorCode::badArgument, "the asset is null; load one first", "asset");
-    if (!isSound(pose)) {
-        return fail(ErrorCode::badArgument,
-                    "the pose must have a finite place and a unit quaternion", "pose");
-    }
+    if (const char* why = whyRefused(pose)) return fail(ErrorCode::badArgument, why, "pose");
     if (!(scale > 0) || !std::isfinite(scale))
         return fail(ErrorCode::badArgument, "the scale must be positive and finite",
                     "options.scale");
-    return checkDamage(damage);
+    if (const char* why = whyRefused(damage))
+        return fail(ErrorCode::badArgument, why, "options.damage");
+    return {};
 }
 
 constexpr const char* kTelling = "a GameListener must not change the world that calls it";
-
-constexpr uint32_t kSavedObject = 0x32484453;  // "SDH2": what it is, and its version
 
 constexpr float kTouch = 1e-3F;  // of the object's diagonal: how near is touching
 
@@ -258,6 +244,8 @@ Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& ass
         return fail(ErrorCode::badArgument, "the velocities must be finite", "options");
     Impl& impl = *impl_;
     if (!SHERD_ASSERT(!impl.bodies.isTelling())) return fail(ErrorCode::badArgument, kTelling);
+    if (const char* why = whyRefused(impl.settings.damage))
+        return fail(ErrorCode::badArgument, why, "WorldOptions::damage");
     try {
         auto sized = impl.bodies.assets().take(asset, options.scale);
         if (!sized) return tl::unexpected<Error>(sized.error());
@@ -447,11 +435,7 @@ Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const R
     const uint32_t island = impl_->bodies.islandOf(body);
     if (island == UINT32_MAX)
         return fail(ErrorCode::badArgument, "the body is none of Sherd's", "body");
-    if (!isFinite(hit.point) || !isFinite(hit.normal) || !(hit.energy >= 0) || !(hit.speed >= 0) ||
-        !(hit.impulse >= 0))
-        return fail(ErrorCode::badArgument,
-                    "place and direction must be finite, energy, speed and impulse not negative",
-                    "hit");
+    if (const char* why = whyRefused(hit)) return fail(ErrorCode::badArgument, why, "hit");
     impl_->bodies.body(island).activate();
     const uint32_t fragment = impl_->bodies.fragmentAt(island, child, toBullet(hit.point));
     if (hit.energy >= impl_->settings.leastImpact) impl_->islands.addImpact(island, fragment, hit);
@@ -471,62 +455,45 @@ bool DestructionWorld::anchor(ObjectId object, uint32_t fragment, bool anchored)
 uint32_t DestructionWorld::anchorInBox(ObjectId object, const glm::vec3& low,
                                        const glm::vec3& high) {
     if (!impl_->isThere(object)) return 0;
-    const btVector3 lowCorner = toBullet(low), highCorner = toBullet(high);
-    const auto leaves = impl_->leavesWhere(
-        object.index, [&](const btCollisionShape& shape, const btTransform& place) {
-            btVector3 shapeLow, shapeHigh;
-            shape.getAabb(place, shapeLow, shapeHigh);
-            return TestAabbAgainstAabb2(shapeLow, shapeHigh, lowCorner, highCorner);
-        });
-    impl_->islands.pin(object.index, leaves, true);
-    if (!leaves.empty()) impl_->holds(object.index) = Hold::byGame;
-    return uint32_t(leaves.size());
+    const uint32_t count = impl_->islands.pinInBox(object.index, low, high);
+    if (count > 0) impl_->holds(object.index) = Hold::byGame;
+    return count;
 }
 
 std::vector<uint8_t> DestructionWorld::save(ObjectId object) const {
-    std::vector<uint8_t> bytes;
-    if (!impl_->isThere(object)) return bytes;
-    ByteWriter to(bytes);
-    const IslandWorld::Object& saved = impl_->islands.object(object.index);
-    to.u32(kSavedObject);
-    to.f64(time());
-    writeStructure(*saved.structure, to);
-    to.u32(uint32_t(saved.islands.size()));
-    for (const uint32_t i : saved.islands) {
+    if (!impl_->isThere(object)) return {};
+    std::vector<uint8_t> bodies;
+    ByteWriter to(bodies);
+    for (const uint32_t i : impl_->islands.object(object.index).islands) {
         const btRigidBody& body = impl_->bodies.body(i);
         if (impl_->bodies.isAdopted(i))
-            writeIsland(impl_->islands.island(i), standIn(body, impl_->bodies.motion(i)), to);
+            writeBodyState(standIn(body, impl_->bodies.motion(i)), to);
         else
-            writeIsland(impl_->islands.island(i), body, to);
+            writeBodyState(body, to);
     }
-    return bytes;
+    return saveObject(impl_->islands, object.index, kBulletState, bodies);
 }
 
 Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t> bytes) {
     if (!impl_->isThere(object))
         return fail(ErrorCode::badArgument, "the object is gone", "object");
-    ByteReader from(bytes);
-    if (from.u32() != kSavedObject)
-        return fail(ErrorCode::invalidData, "these are not the bytes of a saved object", "bytes");
-    const double savedAt = from.f64();
-    IslandWorld::Object& restored = impl_->islands.object(object.index);
-    auto snapshot = readSnapshot(restored.asset, from);
-    if (!snapshot) return tl::unexpected<Error>(snapshot.error());
-    if (!from.isAtEnd() || !std::isfinite(savedAt))
-        return fail(ErrorCode::invalidData, "the saved object does not end where it should",
-                    "bytes");
-    for (auto& island : snapshot->islands) {
-        island.bornAt += time() - savedAt;
-        island.fadingSince += time() - savedAt;
+    const IslandWorld::Object& restored = impl_->islands.object(object.index);
+    auto saved = readSavedObject(restored.asset, bytes);
+    if (!saved) return tl::unexpected<Error>(saved.error());
+    std::optional<std::vector<BodyState>> states;
+    if (saved->engine == kBulletState) {
+        states = readBodyStates(saved->engineBytes, saved->islands.size());
+        if (!states)
+            return fail(ErrorCode::invalidData,
+                        "the saved object is unusable: its bodies' states are none", "bytes");
     }
     if (!restored.islands.empty() && impl_->bodies.isAdopted(restored.islands.front()))
         impl_->bodies.giveBack(restored.islands.front());
-    impl_->islands.replace(object.index, std::move(*snapshot->structure),
-                           std::move(snapshot->islands));
+    restoreObject(impl_->islands, object.index, std::move(*saved));
     impl_->bodies.announce(restored.islands);
     for (size_t i = 0; i < restored.islands.size(); ++i) {
         btRigidBody& body = impl_->bodies.body(restored.islands[i]);
-        restoreBody(snapshot->bodies[i], body);
+        if (states) restoreBodyState((*states)[i], body);
         impl_->bodies.noteTransform(restored.islands[i]);
         if (body.isInWorld()) impl_->world.updateSingleAabb(&body);
     }

@@ -6,9 +6,9 @@
 
 namespace sherd {
 
-/// Everything the runtime relies on without looking again: references inside their tables, ranges
-/// without overflow, a proper tree, finite numbers, positive masses, a collider for every fragment.
-/// `Error::where` is a pointer into the set, such as `/fragments/3/mass`.
+/// Everything the runtime relies on without looking again: the rules of all fracture sets
+/// (`fracture_rules.h`), and what makes a body of every fragment, a collider and inertia.
+/// `Error::where` is a pointer into the set as the file lays it out.
 Result<void> validateForRuntime(const FractureSet& set);
 
 }  // namespace sherd

@@ -60,6 +60,12 @@ class ByteReader {
         isShort_ = true;
         return 0;
     }
+    /// As many as `count(1)` said there are.
+    std::span<const uint8_t> bytes(uint32_t n) {
+        const auto found = bytes_.subspan(at_, n);
+        at_ += n;
+        return found;
+    }
     [[nodiscard]] bool isShort() const { return isShort_; }
     [[nodiscard]] bool isAtEnd() const { return at_ == bytes_.size(); }
 

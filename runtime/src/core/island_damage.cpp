@@ -66,22 +66,27 @@ float IslandWorld::takeHit(uint32_t island, uint32_t fragment, const ReportedHit
     return consumed;
 }
 
-uint32_t IslandWorld::dealArea(uint32_t objectIndex, const AreaDamage& damage, bool isLimited) {
+/// Damage in the object's frame to one island; `point` of the world is for the event.
+uint32_t IslandWorld::dealTo(uint32_t index, const AreaDamage& damage, const glm::vec3& point,
+                             bool isLimited) {
+    const Object& object = objects_[islands_[index].object];
+    applyArea(*object.structure, islands_[index].fragments, damage, object.damage, hit_);
+    BreakEvent event;
+    event.point = point;
+    event.energy = hit_.consumed;
+    event.fragment = islands_[index].fragments.front();
+    regroup(index, isLimited);
+    const auto broken = uint32_t(hit_.bonds.size());
+    (void)split(index, event);
+    return broken;
+}
+
+uint32_t IslandWorld::dealArea(uint32_t objectIndex, const AreaDamage& damage) {
     uint32_t broken = 0;
     const std::vector<uint32_t> islands = objects_[objectIndex].islands;
     for (const uint32_t index : islands) {
-        const Object& object = objects_[objectIndex];
         const RigidPose objectToWorld = bodies_.motion(index).pose * inverse(islands_[index].frame);
-        applyArea(*object.structure, islands_[index].fragments, seenFrom(objectToWorld, damage),
-                  object.damage, hit_);
-        BreakEvent event;
-        event.point = damage.a;
-        event.energy = hit_.consumed;
-        const uint32_t first = islands_[index].fragments.front();
-        regroup(index, isLimited);
-        broken += uint32_t(hit_.bonds.size());
-        event.fragment = first;
-        (void)split(index, event);
+        broken += dealTo(index, seenFrom(objectToWorld, damage), damage.a, true);
     }
     return broken;
 }
@@ -100,7 +105,10 @@ void IslandWorld::breakAll(uint32_t object) {
     everything.fluence = std::numeric_limits<float>::infinity();
     everything.radius = std::numeric_limits<float>::max();
     everything.falloff = 0;
-    dealArea(object, everything, false);
+    // In its own frame: seen from the world an object may be too far away for any radius.
+    const std::vector<uint32_t> islands = objects_[object].islands;
+    for (const uint32_t island : islands)
+        dealTo(island, everything, islands_[island].pose.translation, false);
 }
 
 void IslandWorld::pin(uint32_t index, std::span<const uint32_t> leaves, bool pinned) {

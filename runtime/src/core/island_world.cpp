@@ -121,8 +121,9 @@ IslandBody IslandWorld::describe(uint32_t index) const {
     return body;
 }
 
-/// Makes the body described, where the island is; one that is fixed does not move.
-void IslandWorld::create(IslandBody body) {
+/// Makes the body described, where the island is, or at `bodyPose`; one that is fixed does not
+/// move.
+void IslandWorld::create(IslandBody body, const RigidPose* bodyPose) {
     Island& island = islands_[body.island];
     island.isAlive = true;
     island.keptAt = -HUGE_VAL;
@@ -131,7 +132,7 @@ void IslandWorld::create(IslandBody body) {
     ++islandCount_;
     island.frame = body.frame;
     if (island.isFixed) body.motion = {};
-    body.motion.pose = island.pose * body.frame;
+    body.motion.pose = bodyPose ? *bodyPose : island.pose * body.frame;
     bodies_.create(body);
     poses_.noteRegrouped(island.object);
 }
@@ -277,7 +278,7 @@ void IslandWorld::replace(uint32_t index, Structure&& structure,
         object.islands.push_back(slot);
         IslandBody body = describe(slot);
         body.motion = from.motion;
-        create(body);
+        create(body, &from.motion.pose);
         islands_[slot].fadingSince = from.fadingSince;
         if (islands_[slot].isFading()) fading_.push_back(slot);
         strain(slot);

@@ -52,6 +52,10 @@ const char* readStructure(const std::shared_ptr<const Asset>& asset, ByteReader&
         const float lost = from.f32();
         if (b >= graph.bonds().size() || !(lost > 0 && lost <= 1))
             return "it weakens a bond that does not exist, or by a share that is none";
+        const BondGraph::Bond& bond = graph.bond(b);
+        if (lost == 1 && bond.b != BondGraph::kWorld &&
+            structure->fragmentAt(bond.a) == structure->fragmentAt(bond.b))
+            return "it breaks a bond within a fragment that stands whole";
         if (lost == 1)
             structure->breakBond(b);
         else

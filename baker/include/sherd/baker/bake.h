@@ -12,6 +12,7 @@
 #include "sherd/baker/report.h"
 #include "sherd/baker/surface_mesh.h"
 #include "sherd/formats/fracture_set.h"
+#include "sherd/formats/geometry_packing.h"
 #include "sherd/formats/result.h"
 
 namespace sherd {
@@ -66,9 +67,9 @@ struct BakeOrder {
 /// Bakes a model, an order per mesh, and hangs the fracture sets on the model's document. Hidden
 /// faces get the recipes' interior materials, or a neutral one that is added. Errors also:
 /// badArgument for materials that the model has not, and for anchors that hold no object of their
-/// recipe.
+/// recipe. `packing`: of the fragments' render geometry.
 Result<BakedFile> bakeModel(const Model& model, const std::vector<BakeOrder>& orders,
-                            const Progress& progress = {});
+                            const Progress& progress = {}, const GeometryPacking& packing = {});
 
 /// The same order for every mesh.
 Result<BakedFile> bakeModel(const Model& model, const FracturePlan& plan, const Recipe& recipe,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sherd/formats/fracture_set.h"
+#include "sherd/formats/geometry_packing.h"
 #include "sherd/formats/gltf_document.h"
 #include "sherd/formats/result.h"
 
@@ -31,10 +32,12 @@ Result<GltfDocument> withoutFractureSets(const GltfDocument& document);
 /// `sameNodes`), as one GLB.
 /// Everything the document held stays as it was, except fracture sets of an earlier bake: they are
 /// replaced. `sourceHash` of each set is computed here, `mesh` is the one of the set's node. A node
-/// is part of one set only. Material indices count in `document` as given.
+/// is part of one set only. Material indices count in `document` as given. Geometry that is packed
+/// moves a little; what was closed stays closed, which is checked as it is read back.
 Result<std::vector<uint8_t>> attachFractureSets(const GltfDocument& document,
                                                 std::span<const FractureSet> sets,
-                                                std::span<const NewMaterial> newMaterials);
+                                                std::span<const NewMaterial> newMaterials,
+                                                const GeometryPacking& packing = {});
 
 /// Writes the bytes whole or not at all: beside the target, flushed, then renamed over it.
 Result<void> writeFileWhole(const std::filesystem::path& path, std::span<const uint8_t> bytes);

@@ -23,6 +23,9 @@ struct DamageOptions {
     uint32_t maxLevel = UINT32_MAX;  ///< pieces of this level do not break further; 0: unbreakable
 };
 
+/// An error's text, or nullptr when something can be spawned with these.
+const char* whyRefused(const DamageOptions& options);
+
 /// Both options as one.
 DamageOptions combine(const DamageOptions& world, const DamageOptions& object);
 
@@ -32,6 +35,9 @@ struct Contact {
     float approachSpeed = 0;  ///< along the normal before the contact was solved, m/s, > 0: closing
     float effectiveMass = 0;  ///< of the two bodies at the contact point along the normal, kg
 };
+
+/// An error's text, or nullptr when the contact can be judged.
+const char* whyRefused(const Contact& contact);
 
 /// The energy a contact could spend on breaking, J: what a perfectly plastic impact would lose,
 /// 1/2 m_eff v_n^2, limited by the impulse that really flowed. Supported weight and penetration

@@ -28,6 +28,10 @@ struct BodyMotion {
     glm::vec3 angularVelocity{0.0F};  ///< rad/s, world
 };
 
+/// An error's text, or nullptr for a finite place, a unit rotation and finite velocities.
+const char* whyRefused(const RigidPose& pose);
+const char* whyRefused(const BodyMotion& motion);
+
 /// What a physics engine must know of an island to make a body of it.
 struct IslandBody {
     uint32_t island = 0;  ///< number of the body, for as long as it lives
@@ -52,6 +56,9 @@ struct ReportedHit {
 };
 
 class IslandMerger;
+
+/// An error's text, or nullptr when the hit can be taken.
+const char* whyRefused(const ReportedHit& hit);
 
 /// A physics engine, as far as breaking needs one. Calls come from within the calls of IslandWorld.
 class BodyTable {
@@ -172,14 +179,14 @@ class IslandWorld {
     [[nodiscard]] float overload(uint32_t object, uint32_t bond) const;
 
     /// Damage in the world's frame. Returns the bonds broken.
-    uint32_t dealArea(uint32_t object, const AreaDamage& damage) {
-        return dealArea(object, damage, true);
-    }
+    uint32_t dealArea(uint32_t object, const AreaDamage& damage);
     bool breakFragment(uint32_t object, uint32_t fragment, bool whole);
     void breakAll(uint32_t object);
     /// Pins leaves, or lets them go, and has the bodies follow.
     void pin(uint32_t object, std::span<const uint32_t> leaves, bool pinned);
     bool pinFragment(uint32_t object, uint32_t fragment, bool pinned);
+    /// Pins the leaves whose colliders' bounds reach into a box of the world. Returns how many.
+    uint32_t pinInBox(uint32_t object, const glm::vec3& low, const glm::vec3& high);
 
     /// One island as another world had it.
     struct SavedIsland {
@@ -187,8 +194,8 @@ class IslandWorld {
         bool isFixed = false, isAnchored = false;
         double bornAt = 0;
         double fadingSince = HUGE_VAL;
-        RigidPose pose, previous;
-        BodyMotion motion;
+        RigidPose pose, previous;  ///< of the object's frame
+        BodyMotion motion;         ///< of its body, which is put there to the bit
     };
     /// In place of what the object was. Fires nothing. The islands must share out what stands.
     void replace(uint32_t object, Structure&& structure, std::vector<SavedIsland>&& islands);
@@ -228,17 +235,20 @@ class IslandWorld {
     /// In which a fragment stands; UINT32_MAX when it does not.
     [[nodiscard]] uint32_t findIsland(uint32_t object, uint32_t fragment) const;
     [[nodiscard]] uint32_t islandCount() const { return islandCount_; }
+    /// Of an island's body now.
+    [[nodiscard]] BodyMotion motionOf(uint32_t island) const { return bodies_.motion(island); }
 
   private:
     uint32_t takeIsland();
     [[nodiscard]] IslandBody describe(uint32_t island) const;
     [[nodiscard]] uint32_t fragmentNear(uint32_t island, const glm::vec3& point) const;
-    void create(IslandBody body);
+    void create(IslandBody body, const RigidPose* bodyPose = nullptr);
     void removeIslands(uint32_t object);
     void dropIsland(uint32_t island);
     Change regroup(uint32_t island, bool isLimited);
     void keepToBudget(uint32_t island);
-    uint32_t dealArea(uint32_t object, const AreaDamage& damage, bool isLimited);
+    uint32_t dealTo(uint32_t island, const AreaDamage& damage, const glm::vec3& point,
+                    bool isLimited);
     void settle(uint32_t island, uint32_t fragment, BreakEvent event, bool isLimited);
     void strain(uint32_t island);
     void addEvent(BreakEvent event, uint32_t island, uint32_t bodies);
