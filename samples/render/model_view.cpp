@@ -122,7 +122,7 @@ ModelView::ModelView(std::shared_ptr<const Asset> asset, const GltfDocument& doc
 }
 
 void ModelView::append(const FragmentPose& pose, std::vector<DrawItem>& items) const {
-    const glm::mat4 model = toMatrix(pose.pose);
+    const glm::mat4 model = glm::scale(toMatrix(pose.pose), glm::vec3(pose.scale));
     for (const DrawRange& range : asset_->drawRanges(pose.fragment)) {
         items.push_back(
             {mesh_, materials_[range.material], range.indices.first, range.indices.count, model});

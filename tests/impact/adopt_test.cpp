@@ -160,9 +160,13 @@ TEST_CASE("an adopted body breaks under a hit, and its pieces collide as it did"
         const ObjectId box = destruction.adopt(*games.body, makeBox()).value();
         if (deletes) games.body = nullptr;
         bullet.addBall(0.2F, 50, btVector3(-2, 0.1F, 0.1F), btVector3(10, 0, 0));
+        const Totals before = totals(bullet.world);
         std::vector<BreakEvent> events;
         REQUIRE(stepUntilBreak(bullet, destruction, 60, &events));
         CHECK(events[0].energy > 1000);
+        const Totals after = totals(bullet.world);
+        CHECK((after.momentum - before.momentum).length() <= 1e-4 * before.momentumScale);
+        CHECK(after.energy <= before.energy - double(events[0].consumed) + 1e-3 * before.energy);
         CHECK(listener.replaced == 1);
         CHECK(destruction.bodyCount() == 8);
         CHECK(destruction.body(box, 1)->getBroadphaseProxy()->m_collisionFilterGroup == 128);

@@ -67,6 +67,24 @@ TEST_CASE("an instance of another size has the masses, inertias and colliders of
     CHECK(place.y() == doctest::Approx(3 * center.y));
 }
 
+TEST_CASE(
+    "instances of one size share their shapes, also those of an asset that is scaled itself") {
+    BulletWorld bullet;
+    DestructionWorld destruction(bullet.world);
+    const auto asset = makeBox();
+    const auto third = Asset::scaled(asset, 0.3F).value();
+    for (const float scale : {0.7F, 1.1F, 3.0F, 9.7F}) {
+        CAPTURE(scale);
+        const ObjectId one = destruction.spawn(third, at(0, 0, 0), ofSize(scale)).value();
+        const ObjectId two = destruction.spawn(third, at(9, 0, 0), ofSize(scale)).value();
+        const ObjectId three = destruction.spawn(asset, at(9, 0, 0), ofSize(0.3F * scale)).value();
+        CHECK(destruction.body(one)->getCollisionShape() ==
+              destruction.body(two)->getCollisionShape());
+        CHECK(destruction.body(one)->getCollisionShape() ==
+              destruction.body(three)->getCollisionShape());
+    }
+}
+
 TEST_CASE("poses name the asset that is drawn, and its scale") {
     BulletWorld bullet;
     DestructionWorld destruction(bullet.world);

@@ -33,11 +33,11 @@ Result<PreparedAsset> prepareAsset(const std::shared_ptr<const Asset>& asset, fl
 
 Result<std::shared_ptr<const Asset>> AssetStore::take(const std::shared_ptr<const Asset>& asset,
                                                       float scale, float density) {
-    scale *= asset->scale();
-    density *= asset->density();
     for (const PreparedAsset& known : assets_)
-        if (isThat(*known.asset, asset->original(), scale, density)) return known.asset;
-    auto sized = Asset::scaled(asset, scale / asset->scale(), density / asset->density());
+        if (isThat(*known.asset, asset->original(), asset->scale() * scale,
+                   asset->density() * density))
+            return known.asset;
+    auto sized = Asset::scaled(asset, scale, density);
     if (!sized) return tl::unexpected<Error>(sized.error());
     auto prepared = prepareAsset(*sized, 1, {}, tolerance_);
     if (!prepared) return tl::unexpected<Error>(prepared.error());
