@@ -55,7 +55,8 @@ struct Breaker::Strike {
 };
 
 void Breaker::step(float dt, bool inStep) {
-    contacts_.gather(world_, dt, inStep, islands_.leastEnergy());
+    bodies_.markBreakable(breakable_);
+    contacts_.gather(world_, dt, inStep, islands_.leastEnergy(), breakable_);
     findMeetings();
     for (const Meeting& meeting : meetings_) applyMeeting(meeting);
 }

@@ -37,6 +37,7 @@ class Breaker {
     IslandWorld& islands_;
     SolvedContacts contacts_;
     std::vector<Meeting> meetings_;
+    std::vector<uint8_t> breakable_;  ///< by place in Bullet's world
 };
 
 }  // namespace sherd

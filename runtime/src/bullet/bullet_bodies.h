@@ -48,6 +48,9 @@ class BulletBodies final : public BodyTable {
     /// broken any of them: Bullet wakes what is touched, and the last pieces do not break.
     bool readPoses(IslandWorld& islands);
 
+    /// Marks those that may break, by their places in Bullet's world; as of `readPoses`.
+    void markBreakable(std::vector<uint8_t>& marks) const;
+
     /// Pieces that were awake and moving at the last `readPoses`.
     [[nodiscard]] uint32_t awakeDebris() const { return awakeDebris_; }
 
@@ -79,6 +82,8 @@ class BulletBodies final : public BodyTable {
         btTransform frame;   ///< body to object
         btTransform seen;    ///< where it was when its pose was read last
         bool isStill = false;
+        bool isKnown = false;      ///< whether it is breakable:
+        bool isBreakable = false;  ///< that changes only with the body
     };
     struct Filter {
         int group = 0, mask = 0;

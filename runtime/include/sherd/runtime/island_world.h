@@ -129,6 +129,8 @@ class IslandWorld {
 
     /// Below it no hit does anything to any object there ever was, J.
     [[nodiscard]] float leastEnergy() const { return leastEnergy_; }
+    /// Whether any hit ever could break something off or within the island as it is.
+    [[nodiscard]] bool isBreakable(uint32_t island) const;
     /// Whether a hit like that could do anything to the island.
     [[nodiscard]] bool canTakeDamage(uint32_t island, float energy, float impulse) const;
     /// Lets a hit at a world point on one of the island's fragments do its damage; nothing moves
