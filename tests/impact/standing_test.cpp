@@ -130,3 +130,44 @@ TEST_CASE("without a budget for stress nothing falls by its own weight") {
     for (int i = 0; i < 300; ++i) bullet.step();
     CHECK(destruction.bodyCount() == 1);
 }
+
+TEST_CASE("a bridge that is whole carries a load up to what its bonds hold") {
+    const auto stands = [](float load) {
+        BulletWorld bullet(btVector3(0, -10, 0));
+        DestructionWorld destruction(bullet.world);
+        FractureSet set = weak(makeBoxFracture({.size = {6, 0.5F, 1}, .level1 = {12, 1, 1}}), 4e6F);
+        const auto asset = Asset::fromFractureSet(std::move(set)).value();
+        const ObjectId bridge = destruction.spawn(asset, at(0, 5, 0)).value();
+        REQUIRE(destruction.anchorInBox(bridge, {-3.1F, 4, -1}, {-2.8F, 6, 1}) == 1);
+        REQUIRE(destruction.anchorInBox(bridge, {2.8F, 4, -1}, {3.1F, 6, 1}) == 1);
+        REQUIRE(destruction.setLoad(bridge, 6, {0, -load, 0}));
+        for (int i = 0; i < 200; ++i) bullet.step();
+        if (fallen(destruction, 5) > 0) {
+            CHECK(destruction.bodyCount() > 1);
+            return false;
+        }
+        CHECK(destruction.poses().size() == 1);  // it was not even opened
+        return true;
+    };
+    CHECK(stands(1e3F));
+    CHECK_FALSE(stands(1e6F));
+}
+
+TEST_CASE("a load may be taken away again, and one that is none is refused") {
+    BulletWorld bullet(btVector3(0, -10, 0));
+    DestructionWorld destruction(bullet.world);
+    const auto asset = weakWall();
+    const ObjectId wall = destruction.spawn(asset, at(0, 1, 0)).value();
+    REQUIRE(destruction.anchorInBox(wall, {-9, -0.1F, -9}, {9, 0.1F, 9}) == 8);
+    CHECK(destruction.setLoad(wall, 64, {0, 0, 1e7F}));
+    CHECK(destruction.setLoad(wall, 64, {0, 0, 0}));
+    CHECK_FALSE(destruction.setLoad(wall, 65, {0, 0, 1}));
+    CHECK_FALSE(destruction.setLoad(wall, 64, {0, NAN, 0}));
+    for (int i = 0; i < 60; ++i) bullet.step();
+    CHECK(destruction.poses().size() == 1);
+    CHECK(destruction.setLoad(wall, 64, {0, 0, 1e7F}));
+    for (int i = 0; i < 60; ++i) bullet.step();
+    CHECK(destruction.bodyCount() > 1);
+    REQUIRE(destruction.remove(wall));
+    CHECK_FALSE(destruction.setLoad(wall, 64, {0, 0, 1}));
+}

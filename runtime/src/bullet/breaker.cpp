@@ -55,7 +55,9 @@ struct Breaker::Strike {
 };
 
 void Breaker::measure(float dt, bool inStep) {
-    contacts_.gather(world_, dt, inStep, std::min(islands_.leastEnergy(), leastImpact_));
+    bodies_.markBreakable(breakable_);
+    contacts_.gather(world_, dt, inStep, std::min(islands_.leastEnergy(), leastImpact_),
+                     breakable_);
     findMeetings();
 }
 

@@ -45,6 +45,7 @@ class Breaker {
     float leastImpact_;
     SolvedContacts contacts_;
     std::vector<Meeting> meetings_;
+    std::vector<uint8_t> breakable_;  ///< by place in Bullet's world
 };
 
 }  // namespace sherd

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bullet/bullet_bodies.h"
 
-#include <cmath>
 #include <utility>
 
 #include "bullet/convert.h"
@@ -124,7 +123,7 @@ void BulletBodies::make(Body& slot, const IslandBody& island) {
     slot.freezable = body;
     slot.body->setUserIndex3(int(island.island));
     slot.seen = slot.body->getWorldTransform();
-    slot.isStill = false;
+    slot.isStill = slot.isKnown = false;
     move(*slot.body, island.motion);
 }
 
@@ -157,7 +156,7 @@ void BulletBodies::update(const IslandBody& island) {
     body.setWorldTransform(info.m_startWorldTransform);
     body.setInterpolationWorldTransform(info.m_startWorldTransform);
     slot.seen = info.m_startWorldTransform;
-    slot.isStill = false;
+    slot.isStill = slot.isKnown = false;
     body.setMassProps(info.m_mass, info.m_localInertia);
     body.updateInertiaTensor();
     body.setFriction(info.m_friction);
@@ -233,9 +232,12 @@ bool BulletBodies::readPoses(IslandWorld& islands, bool withUnbreakable) {
         // As Bullet's own motion states, what sleeps is not asked where it is.
         const bool isActive = slot.body->isActive();
         const bool isFixed = slot.body->getInvMass() == 0;
+        if (!slot.isKnown) {
+            slot.isKnown = true;
+            slot.isBreakable = withUnbreakable || islands.isBreakable(i);
+        }
         isTouchable =
-            isTouchable || ((isActive || isFixed) &&
-                            (withUnbreakable || islands.canTakeDamage(i, HUGE_VALF, HUGE_VALF)));
+            isTouchable || (slot.isBreakable && (isActive || slot.body->isStaticObject()));
         if (isActive && !isFixed && slot.firstFragment != 0) ++awakeDebris_;
         if (!isActive && slot.isStill) continue;
         const btTransform& now = slot.body->getWorldTransform();
@@ -249,6 +251,13 @@ bool BulletBodies::readPoses(IslandWorld& islands, bool withUnbreakable) {
         slot.isStill = isStill;
     }
     return isTouchable;
+}
+
+void BulletBodies::markBreakable(std::vector<uint8_t>& marks) const {
+    marks.assign(size_t(world_.getNumCollisionObjects()), 0);
+    for (const Body& slot : bodies_)
+        if (slot.body && slot.isBreakable && slot.body->isInWorld())
+            marks[size_t(slot.body->getWorldArrayIndex())] = 1;
 }
 
 // The number on the body is only a hint: the game's own bodies may carry any number there.

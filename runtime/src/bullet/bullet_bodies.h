@@ -78,6 +78,10 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     /// have met any, `withUnbreakable`.
     bool readPoses(IslandWorld& islands, bool withUnbreakable);
 
+    /// Marks those that may break, or be told of, by their places in Bullet's world; as of
+    /// `readPoses`.
+    void markBreakable(std::vector<uint8_t>& marks) const;
+
     /// Pieces that were awake and moving at the last `readPoses`.
     [[nodiscard]] uint32_t awakeDebris() const { return awakeDebris_; }
 
@@ -125,9 +129,11 @@ class BulletBodies final : public BodyTable, private BodyOwner {
         btTransform frame;   ///< body to object
         btTransform seen;    ///< where it was when its pose was read last
         bool isStill = false;
-        int worldIndex = -1;  ///< where an adopted body was seen in Bullet's list
-        int gamesNumber = 0;  ///< what it carried as user index 3
-        btTransform mass;     ///< of an adopted body: where the island's own frame is in it
+        bool isKnown = false;      ///< whether it is breakable:
+        bool isBreakable = false;  ///< that changes only with the body
+        int worldIndex = -1;       ///< where an adopted body was seen in Bullet's list
+        int gamesNumber = 0;       ///< what it carried as user index 3
+        btTransform mass;          ///< of an adopted body: where the island's own frame is in it
     };
     struct Adopted {
         btRigidBody* body = nullptr;

@@ -562,6 +562,10 @@ const Structure* DestructionWorld::structure(ObjectId object) const {
     return isAlive(object) ? impl_->islands.object(object.index).structure.get() : nullptr;
 }
 
+bool DestructionWorld::setLoad(ObjectId object, uint32_t fragment, const glm::vec3& force) {
+    return impl_->isThere(object) && impl_->islands.setLoad(object.index, {fragment, force});
+}
+
 float DestructionWorld::overload(ObjectId object, uint32_t bond) const {
     return isAlive(object) ? impl_->islands.overload(object.index, bond) : 0;
 }

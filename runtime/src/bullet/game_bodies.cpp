@@ -25,7 +25,7 @@ void BulletBodies::adopt(Body& slot, const IslandBody& island) {
     slot.frame = adopted.objectToBody.inverse();
     slot.mass = adopted.objectToBody * toBullet(island.frame);
     slot.seen = body.getWorldTransform();
-    slot.isStill = false;
+    slot.isStill = slot.isKnown = false;
     slot.worldIndex = body.getWorldArrayIndex();
     slot.gamesNumber = body.getUserIndex3();
     body.setUserIndex3(int(island.island));

@@ -91,17 +91,43 @@ int orderKey(const btCollisionObject& object) {
 
 }  // namespace
 
+/// What may break, and what touches it. Returns whether anything does.
+bool SolvedContacts::findNear(btCollisionWorld& world, std::span<const uint8_t> breakable) {
+    near_.assign(breakable.begin(), breakable.end());
+    bool isTouched = false;
+    btDispatcher& dispatcher = *world.getDispatcher();
+    for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
+        if (manifold.getNumContacts() == 0) continue;
+        const btCollisionObject &first = *manifold.getBody0(), &second = *manifold.getBody1();
+        const auto a = size_t(first.getWorldArrayIndex()), b = size_t(second.getWorldArrayIndex());
+        if (breakable[a] == 0 && breakable[b] == 0) continue;
+        if (!awake(&first) && !awake(&second)) continue;
+        // Not the ground: all else that lies on it does not matter.
+        if (movable(&first)) near_[a] = 1;
+        if (movable(&second)) near_[b] = 1;
+        isTouched = true;
+    }
+    return isTouched;
+}
+
 /// A rough look at what moved before the solve: where everything rests there is nothing to measure.
 /// It takes impulses to act where bodies are now. Two bodies have no more energy to bring than each
 /// has by itself.
-bool SolvedContacts::mayMatter(btCollisionWorld& world, float leastEnergy) {
+bool SolvedContacts::mayMatter(btCollisionWorld& world, float leastEnergy,
+                               std::span<const uint8_t> breakable) {
+    if (!findNear(world, breakable)) return false;
+    const auto isNear = [this](const btCollisionObject& object) {
+        return near_[size_t(object.getWorldArrayIndex())] != 0;
+    };
     rough_.clear();
     localOf_.assign(size_t(world.getNumCollisionObjects()), kNone);
     const auto roughOf = [&](const btCollisionObject& object) {
         uint32_t& local = localOf_[size_t(object.getWorldArrayIndex())];
         if (local == kNone) {
             local = uint32_t(rough_.size());
-            rough_.push_back({movable(&object), btVector3(0, 0, 0), btVector3(0, 0, 0)});
+            rough_.push_back({isNear(object) ? movable(&object) : nullptr, btVector3(0, 0, 0),
+                              btVector3(0, 0, 0)});
         }
         return local;
     };
@@ -115,6 +141,7 @@ bool SolvedContacts::mayMatter(btCollisionWorld& world, float leastEnergy) {
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
         if (manifold.getNumContacts() == 0) continue;
         const btCollisionObject &first = *manifold.getBody0(), &second = *manifold.getBody1();
+        if (!isNear(first) && !isNear(second)) continue;
         if (!awake(&first) && !awake(&second)) continue;
         // A kinematic body brings what its own motion says.
         if (first.isKinematicObject() || second.isKinematicObject()) return true;
@@ -141,13 +168,14 @@ bool SolvedContacts::mayMatter(btCollisionWorld& world, float leastEnergy) {
     });
 }
 
-void SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy) {
+void SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy,
+                            std::span<const uint8_t> breakable) {
     dt_ = dt;
     inStep_ = inStep;
     pairs_.clear();
     bodies_.clear();
     posesBefore_.clear();
-    if (!mayMatter(world, leastEnergy)) return;
+    if (!mayMatter(world, leastEnergy, breakable)) return;
     localOf_.assign(size_t(world.getNumCollisionObjects()), kNone);
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {

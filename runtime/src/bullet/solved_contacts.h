@@ -4,6 +4,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 class btCollisionWorld;
@@ -39,8 +40,10 @@ class SolvedContacts {
   public:
     /// Reads the world's contacts after a substep of `dt` seconds. Sleeping pairs are skipped:
     /// their impulses are old. `inStep`: Bullet has not yet cleared the forces of the step.
-    /// Where no contact can have brought `leastEnergy`, J, there are no pairs.
-    void gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy);
+    /// Where no contact of what may break (`breakable`: by place in Bullet's world) can have
+    /// brought `leastEnergy`, J, there are no pairs.
+    void gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy,
+                std::span<const uint8_t> breakable);
 
     [[nodiscard]] const std::vector<SolvedPair>& pairs() const { return pairs_; }
     /// Null once `forget` was called.
@@ -68,7 +71,8 @@ class SolvedContacts {
     uint32_t localIndex(btCollisionObject& body, const btVector3& contactPoint,
                         const btVector3& inBody);
     [[nodiscard]] btVector3 pushOn(const btRigidBody& body) const;
-    bool mayMatter(btCollisionWorld& world, float leastEnergy);
+    bool mayMatter(btCollisionWorld& world, float leastEnergy, std::span<const uint8_t> breakable);
+    bool findNear(btCollisionWorld& world, std::span<const uint8_t> breakable);
     void mergePairs();
     void linkBodies();
     void undo(SolvedPair& pair);
@@ -82,6 +86,7 @@ class SolvedContacts {
         btVector3 linear, angular;  ///< impulse received, and its moment
     };
     std::vector<Rough> rough_;
+    std::vector<uint8_t> near_;  ///< by Bullet's world array index: may break, or touches what may
     std::vector<Motion> received_;  ///< per body: impulse, and moment about its centre of mass
     std::vector<Motion> before_;    ///< per body
     std::vector<btTransform> posesBefore_;  ///< per body; the impulses acted there

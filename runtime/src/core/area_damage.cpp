@@ -32,18 +32,6 @@ float shareAt(const AreaDamage& damage, const glm::vec3& place) {
     return damage.falloff > 0 ? std::min(inside / damage.falloff, 1.0F) : 1.0F;
 }
 
-/// From the coarsest that stands down to `fragment`.
-void openDownTo(Structure& structure, uint32_t fragment, HitResult& result) {
-    const uint32_t leaf = structure.graph().leavesOf(fragment).first;
-    for (;;) {
-        const uint32_t standing = structure.fragmentAt(leaf);
-        // Parents lie in front of their children.
-        if (standing > fragment || structure.asset().fragment(standing).children.count == 0) return;
-        structure.open(standing);
-        result.opened.push_back(standing);
-    }
-}
-
 }  // namespace
 
 const char* whyRefused(const AreaDamage& damage) {
@@ -105,7 +93,7 @@ void applyArea(Structure& structure, std::span<const uint32_t> fragments, const 
     }
     for (const uint32_t b : result.bonds)
         if (graph.bond(b).b != BondGraph::kWorld)
-            openDownTo(structure, graph.bond(b).parting, result);
+            structure.openDownTo(graph.bond(b).parting, result.opened);
 }
 
 void heal(Structure& structure, float share) {

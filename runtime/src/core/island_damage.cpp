@@ -12,10 +12,17 @@ bool IslandWorld::canTakeDamage(uint32_t index, float energy, float impulse) con
     const Object& object = objects_[island.object];
     const DamageOptions& damage = object.damage;
     if (energy < damage.minimumEnergy || impulse < damage.minimumImpulse ||
-        time_ - island.bornAt < double(damage.immunity) || damage.maxLevel == 0)
+        time_ - island.bornAt < double(damage.immunity))
         return false;
+    return isBreakable(index);
+}
+
+bool IslandWorld::isBreakable(uint32_t index) const {
+    const Island& island = islands_[index];
+    const Object& object = objects_[island.object];
+    if (object.damage.maxLevel == 0) return false;
     return island.fragments.size() > 1 || island.isAnchored ||
-           isBreakable(*object.asset, island.fragments.front(), damage);
+           sherd::isBreakable(*object.asset, island.fragments.front(), object.damage);
 }
 
 /// The island's fragment whose colliders' box is nearest to a point of the object's frame.

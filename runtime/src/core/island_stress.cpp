@@ -2,6 +2,7 @@
 // What islands of an IslandWorld carry at rest.
 #include <algorithm>
 
+#include "core/finite.h"
 #include "core/rigid_pose.h"
 #include "sherd/runtime/island_world.h"
 
@@ -12,6 +13,47 @@ void IslandWorld::strain(uint32_t island) {
     if (!islands_[island].isAnchored) return;
     if (std::find(strained_.begin(), strained_.end(), island) == strained_.end())
         strained_.push_back(island);
+}
+
+bool IslandWorld::setLoad(uint32_t index, const Load& load) {
+    Object& object = objects_[index];
+    if (load.fragment >= object.asset->fragmentCount() || !isFinite(load.force)) return false;
+    std::erase_if(object.loads, [&](const Load& old) { return old.fragment == load.fragment; });
+    if (load.force != glm::vec3(0.0F)) object.loads.push_back(load);
+    const uint32_t leaf = object.asset->graph().leavesOf(load.fragment).first;
+    const uint32_t island = findIsland(index, object.structure->fragmentAt(leaf));
+    if (island != UINT32_MAX) strain(island);
+    return true;
+}
+
+/// What is divided, but whole yet, is solved as its parts where the game has put a load on: it may
+/// be too much for them. Without one, it stands as it was baked.
+void IslandWorld::takeUp(uint32_t index) {
+    const Island& island = islands_[index];
+    const Object& object = objects_[island.object];
+    const Asset& asset = *object.asset;
+    stressedObject_ = island.object;
+    if (object.loads.empty()) {
+        stress_.reset(*object.structure, island.fragments, object.damage);
+        return;
+    }
+    probe_ = *object.structure;
+    parts_.clear();
+    for (const uint32_t fragment : island.fragments) {
+        const Range children = asset.fragment(fragment).children;
+        const bool isDivided =
+            children.count > 0 && asset.fragment(fragment).level < object.damage.maxLevel;
+        if (isDivided) probe_->open(fragment);
+        const Range stand = isDivided ? children : Range{fragment, 1};
+        for (uint32_t f = 0; f < stand.count; ++f) parts_.push_back(stand.first + f);
+    }
+    stress_.reset(*probe_, parts_, object.damage);
+    for (const Load& load : object.loads) {
+        const uint32_t leaf = asset.graph().leavesOf(load.fragment).first;
+        stress_.addForce(probe_->fragmentAt(leaf),
+                         glm::conjugate(island.pose.rotation) * load.force,
+                         asset.fragment(load.fragment).centerOfMass);
+    }
 }
 
 void IslandWorld::workOnStress(const glm::vec3& gravity, uint32_t maxIterations) {
@@ -25,10 +67,7 @@ void IslandWorld::workOnStress(const glm::vec3& gravity, uint32_t maxIterations)
             strained_.erase(strained_.begin());
         }
         if (stressed_ == UINT32_MAX) return;
-        const Island& island = islands_[stressed_];
-        const Object& object = objects_[island.object];
-        stressedObject_ = island.object;
-        stress_.reset(*object.structure, island.fragments, object.damage);
+        takeUp(stressed_);
     }
     const Island& island = islands_[stressed_];
     Object& object = objects_[island.object];
@@ -48,6 +87,7 @@ void IslandWorld::workOnStress(const glm::vec3& gravity, uint32_t maxIterations)
         hit_.area += bond.area;
         hit_.level = std::max(hit_.level, object.asset->fragment(bond.parting).level + 1);
         event.point = island.pose * bond.centroid;
+        if (bond.b != BondGraph::kWorld) object.structure->openDownTo(bond.parting, hit_.opened);
     }
     settle(solved, island.fragments.front(), event, true);
     strain(solved);

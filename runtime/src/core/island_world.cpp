@@ -45,6 +45,7 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     object.asset = std::move(asset);
     object.structure = std::make_unique<Structure>(object.asset);
     object.damage = damage;
+    object.loads.clear();
     leastEnergy_ = std::min(leastEnergy_, damage.minimumEnergy);
     const uint32_t slot = takeIsland();
     Island& island = islands_[slot];

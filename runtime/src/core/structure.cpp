@@ -65,6 +65,17 @@ void Structure::close(uint32_t fragment) {
     if (isDamaged()) std::fill_n(standing_.begin() + leaves.first, leaves.count, fragment);
 }
 
+void Structure::openDownTo(uint32_t fragment, std::vector<uint32_t>& opened) {
+    const uint32_t leaf = graph().leavesOf(fragment).first;
+    for (;;) {
+        const uint32_t standing = fragmentAt(leaf);
+        // Parents lie in front of their children.
+        if (standing > fragment || asset_->fragment(standing).children.count == 0) return;
+        open(standing);
+        opened.push_back(standing);
+    }
+}
+
 void IslandFinder::find(const Structure& structure, std::span<const uint32_t> fragments) {
     islands_.clear();
     front_.clear();

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -101,11 +102,17 @@ class IslandWorld {
 
         [[nodiscard]] bool isFading() const { return fadingSince < HUGE_VAL; }
     };
+    /// What the game puts on a part of an object that stands.
+    struct Load {
+        uint32_t fragment = 0;  ///< of any level; at its centre of mass
+        glm::vec3 force{0.0F};  ///< N, world
+    };
     struct Object {
         std::shared_ptr<const Asset> asset;  ///< null: this slot is free
         std::unique_ptr<Structure> structure;
         uint32_t generation = 0;
         DamageOptions damage;
+        std::vector<Load> loads;
         std::vector<uint32_t> islands;   ///< ascending by their first fragment
         uint32_t heaviest = UINT32_MAX;  ///< of them; UINT32_MAX: not known
     };
@@ -148,6 +155,8 @@ class IslandWorld {
 
     /// Below it no hit does anything to any object there ever was, J.
     [[nodiscard]] float leastEnergy() const { return leastEnergy_; }
+    /// Whether any hit ever could break something off or within the island as it is.
+    [[nodiscard]] bool isBreakable(uint32_t island) const;
     /// Whether a hit like that could do anything to the island.
     [[nodiscard]] bool canTakeDamage(uint32_t island, float energy, float impulse) const;
     /// Lets a hit at a world point on one of the island's fragments do its damage; nothing moves
@@ -175,6 +184,11 @@ class IslandWorld {
     /// m/s^2, world, at most so many iterations of the solver a call, and breaks what is
     /// overloaded.
     void workOnStress(const glm::vec3& gravity, uint32_t maxIterations);
+    /// What a fragment of any level must carry beside its weight, until this is called for it
+    /// again; zero: nothing. It strains the bonds of anchored islands, also within what is whole
+    /// yet, and moves nothing. False when the object has no such fragment or the force is not
+    /// finite.
+    bool setLoad(uint32_t object, const Load& load);
     /// How overloaded a bond of the island was that was solved last: > 1 broke; 0: not known.
     [[nodiscard]] float overload(uint32_t object, uint32_t bond) const;
 
@@ -251,6 +265,7 @@ class IslandWorld {
                     bool isLimited);
     void settle(uint32_t island, uint32_t fragment, BreakEvent event, bool isLimited);
     void strain(uint32_t island);
+    void takeUp(uint32_t island);
     void addEvent(BreakEvent event, uint32_t island, uint32_t bodies);
     void addIslandEvent(const IslandBody& body, uint32_t from);
 
@@ -283,6 +298,8 @@ class IslandWorld {
     bool isStressNew_ = false;        ///< it has changed since
     std::vector<uint32_t> strained_;  ///< islands whose bonds carry something else than they did
     uint32_t stressedObject_ = UINT32_MAX;
+    std::optional<Structure> probe_;  ///< of the object solved, as if what is loaded were opened
+    std::vector<uint32_t> parts_;
 
     PoseList poses_;
     float fade_ = 1;

@@ -46,6 +46,9 @@ class Structure {
     void hold(uint32_t bond);
     /// Puts a fragment's children in its place. It must stand and have some.
     void open(uint32_t fragment);
+    /// Opens what stands for a divided fragment, the coarsest first, and the fragment itself.
+    /// Appends those opened.
+    void openDownTo(uint32_t fragment, std::vector<uint32_t>& opened);
     /// Puts a fragment back in the place of all that has come out of it.
     void close(uint32_t fragment);
 

@@ -239,6 +239,11 @@ class DestructionWorld {
     /// Wakes the body of a standing fragment and what touches it, as `activate` does in Bullet.
     bool wake(ObjectId object, uint32_t fragment);
 
+    /// What a fragment, of any level, must carry beside its weight: a force, N, world, at its
+    /// centre of mass, until this is called for it again; zero: nothing. It strains the bonds of
+    /// what is anchored, also of what is whole yet, and moves nothing. False when there is no such
+    /// fragment or the force is not finite.
+    bool setLoad(ObjectId object, uint32_t fragment, const glm::vec3& force);
     /// How overloaded a bond is under its load, of the anchored object that was solved last: > 1
     /// breaks; 0: not known.
     [[nodiscard]] float overload(ObjectId object, uint32_t bond) const;
