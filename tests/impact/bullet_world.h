@@ -48,6 +48,12 @@ class BulletWorld {
         return *bodies_.back();
     }
 
+    /// Deletes one of its bodies.
+    void take(btRigidBody& body) {
+        world.removeRigidBody(&body);
+        std::erase_if(bodies_, [&](const auto& own) { return own.get() == &body; });
+    }
+
     /// One substep.
     void step(float dt = kStep) { world.stepSimulation(dt, 0); }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "bullet/convert.h"
 
@@ -101,8 +102,9 @@ void Breaker::findMeetings() {
         if (canTakeDamage(islands[0], meeting) || canTakeDamage(islands[1], meeting))
             meetings_.push_back(meeting);
     }
-    std::stable_sort(meetings_.begin(), meetings_.end(),
-                     [](const Meeting& x, const Meeting& y) { return x.energy > y.energy; });
+    std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& x, const Meeting& y) {
+        return std::pair(-x.energy, x.pair) < std::pair(-y.energy, y.pair);
+    });
 }
 
 void Breaker::listImpact(const Meeting& meeting) {

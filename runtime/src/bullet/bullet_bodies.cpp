@@ -33,6 +33,19 @@ void BulletBodies::attach(IslandWorld& islands, std::span<const BodyRule> rules,
     listener_ = listener;
 }
 
+std::unique_ptr<IslandShape> BulletBodies::takeShape() {
+    if (spareShapes_.empty()) return std::make_unique<IslandShape>();
+    std::unique_ptr<IslandShape> shape = std::move(spareShapes_.back());
+    spareShapes_.pop_back();
+    return shape;
+}
+
+void BulletBodies::dropShape(std::unique_ptr<IslandShape> shape) {
+    if (!shape) return;
+    shape->clear();
+    spareShapes_.push_back(std::move(shape));
+}
+
 /// Makes the shape, too, if there is none yet that would do.
 btRigidBody::btRigidBodyConstructionInfo BulletBodies::describe(Body& slot,
                                                                 const IslandBody& island) {
@@ -46,9 +59,10 @@ btRigidBody::btRigidBodyConstructionInfo BulletBodies::describe(Body& slot,
     slot.frame = toBullet(island.frame);
     btCollisionShape* shape = shapes.shape(island.fragments.front());
     if (island.fragments.size() > 1) {
-        if (!slot.shape)
-            slot.shape =
-                std::make_unique<IslandShape>(shapes, island.fragments, slot.frame, marks_);
+        if (!slot.shape) {
+            slot.shape = takeShape();
+            slot.shape->build(shapes, island.fragments, slot.frame, marks_);
+        }
         shape = slot.shape->shape();
     }
     btRigidBody::btRigidBodyConstructionInfo info(island.mass, nullptr, shape,
@@ -185,6 +199,7 @@ void BulletBodies::update(const IslandBody& island) {
         body.applyCentralForce(body.getGravity() * body.getMass());
     }
     watchQuiet(island);
+    dropShape(std::move(old));
 }
 
 void BulletBodies::remove(uint32_t island) {
@@ -202,7 +217,7 @@ void BulletBodies::remove(uint32_t island) {
     }
     slot.body.reset();
     slot.freezable = nullptr;
-    slot.shape.reset();
+    dropShape(std::move(slot.shape));
 }
 
 BodyMotion BulletBodies::motion(uint32_t island) const {

@@ -139,6 +139,8 @@ class BulletBodies final : public BodyTable, private BodyOwner {
         btRigidBody* body = nullptr;
         btTransform objectToBody;
     };
+    std::unique_ptr<IslandShape> takeShape();
+    void dropShape(std::unique_ptr<IslandShape> shape);
     btRigidBody::btRigidBodyConstructionInfo describe(Body& slot, const IslandBody& island);
     void make(Body& slot, const IslandBody& island);
     void adopt(Body& slot, const IslandBody& island);
@@ -179,6 +181,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     std::vector<btRigidBody*> parts_;
     std::vector<Body> bodies_;  ///< per island
     IslandShape::Marks marks_;
+    std::vector<std::unique_ptr<IslandShape>> spareShapes_;
     uint32_t awakeDebris_ = 0;
     bool inStep_ = false;
 };

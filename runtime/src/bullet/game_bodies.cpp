@@ -17,7 +17,7 @@ void BulletBodies::adopt(Body& slot, const IslandBody& island) {
     const Adopted adopted = *std::exchange(nextAdopted_, std::nullopt);
     btRigidBody& body = *adopted.body;
     slot.body = BodyPointer(&body, BodyRelease{true});
-    slot.shape.reset();
+    dropShape(std::move(slot.shape));
     slot.freezable = nullptr;
     slot.object = island.object.index;
     slot.firstFragment = island.fragments.front();

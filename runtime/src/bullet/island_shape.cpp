@@ -18,8 +18,15 @@ size_t countColliders(const FragmentShapes& shapes, std::span<const uint32_t> fr
 
 }  // namespace
 
-IslandShape::IslandShape(const FragmentShapes& shapes, std::span<const uint32_t> fragments,
-                         const btTransform& bodyFrame, Marks& marks) {
+void IslandShape::clear() {
+    outer_.reset();
+    colliders_.reset();
+    fragments_.clear();
+}
+
+void IslandShape::build(const FragmentShapes& shapes, std::span<const uint32_t> fragments,
+                        const btTransform& bodyFrame, Marks& marks) {
+    clear();
     const btTransform objectToBody = bodyFrame.inverse();
     const size_t count = countColliders(shapes, fragments);
     if (count < kManyColliders) {

@@ -17,8 +17,11 @@ class IslandShape {
     /// Per fragment, zero between calls.
     using Marks = std::vector<uint8_t>;
 
-    IslandShape(const FragmentShapes& shapes, std::span<const uint32_t> fragments,
-                const btTransform& bodyFrame, Marks& marks);
+    /// Makes it anew of these, ascending. Keeps its memory.
+    void build(const FragmentShapes& shapes, std::span<const uint32_t> fragments,
+               const btTransform& bodyFrame, Marks& marks);
+    /// Lets go of what it consists of.
+    void clear();
 
     /// Makes it consist of these, ascending, by taking out and adding what differs. The shape stays
     /// the same, so that a body in the world need not leave it; Bullet sees by the revision that it

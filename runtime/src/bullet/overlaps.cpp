@@ -102,14 +102,16 @@ void IgnoredPairs::releaseSeparated() {
 
 void IgnoredPairs::remove(const btCollisionObject& body,
                           std::vector<btCollisionObject*>& partners) {
-    const auto kept = std::stable_partition(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-        return pair.a != &body && pair.b != &body;
-    });
-    for (auto pair = kept; pair != pairs_.end(); ++pair) {
-        setIgnored(*pair, false);
-        partners.push_back(pair->a == &body ? pair->b : pair->a);
+    size_t kept = 0;
+    for (const Pair& pair : pairs_) {
+        if (pair.a != &body && pair.b != &body) {
+            pairs_[kept++] = pair;
+            continue;
+        }
+        setIgnored(pair, false);
+        partners.push_back(pair.a == &body ? pair.b : pair.a);
     }
-    pairs_.erase(kept, pairs_.end());
+    pairs_.resize(kept);
     next_ = std::min(next_, pairs_.size());
 }
 

@@ -31,9 +31,9 @@ class IgnoredPairs {
 
   private:
     struct Pair {
-        btCollisionObject* a;
-        btCollisionObject* b;
-        float tolerance;
+        btCollisionObject* a = nullptr;
+        btCollisionObject* b = nullptr;
+        float tolerance = 0;
     };
     static void setIgnored(const Pair& pair, bool ignored);
 

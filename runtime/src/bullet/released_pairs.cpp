@@ -106,8 +106,9 @@ void ReleasedPairs::settleAnywhere(std::span<const Newcomer> group) {
 }
 
 void ReleasedPairs::settle() {
-    std::stable_sort(newcomers_.begin(), newcomers_.end(),
-                     [](const Newcomer& x, const Newcomer& y) { return x.group < y.group; });
+    std::sort(newcomers_.begin(), newcomers_.end(), [](const Newcomer& x, const Newcomer& y) {
+        return std::pair(x.group, x.island) < std::pair(y.group, y.island);
+    });
     for (size_t first = 0; first < newcomers_.size();) {
         size_t end = first;
         while (end < newcomers_.size() && newcomers_[end].group == newcomers_[first].group) ++end;

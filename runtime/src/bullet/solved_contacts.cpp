@@ -7,6 +7,7 @@
 #include <LinearMath/btTransformUtil.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace sherd {
@@ -202,6 +203,7 @@ void SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep, floa
         }
         pair.a = swapped ? localB : localA;
         pair.b = swapped ? localA : localB;
+        pair.order = uint32_t(pairs_.size());
         pairs_.push_back(pair);
     }
     mergePairs();
@@ -221,8 +223,8 @@ uint32_t SolvedContacts::localIndex(btCollisionObject& body, const btVector3& co
 
 /// Compounds have a manifold per child: the pairs of equal bodies become one.
 void SolvedContacts::mergePairs() {
-    std::stable_sort(pairs_.begin(), pairs_.end(), [](const SolvedPair& x, const SolvedPair& y) {
-        return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+    std::sort(pairs_.begin(), pairs_.end(), [](const SolvedPair& x, const SolvedPair& y) {
+        return std::tie(x.a, x.b, x.order) < std::tie(y.a, y.b, y.order);
     });
     size_t count = 0;
     for (const SolvedPair& pair : pairs_) {

@@ -15,6 +15,7 @@ namespace sherd {
 struct SolvedPair {
     uint32_t a = 0;  ///< into SolvedContacts::bodies
     uint32_t b = 0;
+    uint32_t order = 0;         ///< of its first manifold among all
     btVector3 normal{0, 0, 0};  ///< unit, from b to a
     btVector3 point{0, 0, 0};   ///< world; where the impulses' mean acts
     float normalImpulse = 0;    ///< N s

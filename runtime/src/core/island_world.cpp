@@ -43,7 +43,11 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     }
     Object& object = objects_[index];
     object.asset = std::move(asset);
-    object.structure = std::make_unique<Structure>(object.asset);
+    if (object.structure) {
+        object.structure->renew(object.asset);
+    } else {
+        object.structure = std::make_unique<Structure>(object.asset);
+    }
     object.damage = damage;
     object.loads.clear();
     leastEnergy_ = std::min(leastEnergy_, damage.minimumEnergy);
@@ -87,7 +91,7 @@ void IslandWorld::remove(uint32_t index) {
     Object& object = objects_[index];
     removeIslands(index);
     object.asset.reset();
-    object.structure.reset();
+    object.structure->renew(nullptr);
     ++object.generation;
     freeObjects_.push_back(index);
 }

@@ -11,6 +11,14 @@ constexpr float kAlmostAll = 1 - 0x1p-20F;  // that a bond can lose without brea
 
 }  // namespace
 
+void Structure::renew(std::shared_ptr<const Asset> asset) {
+    asset_ = std::move(asset);
+    standing_.clear();
+    lost_.clear();
+    pins_.clear();
+    gone_.clear();
+}
+
 void Structure::prepare() {
     if (!lost_.empty()) return;
     standing_.assign(graph().leafCount(), 0);

@@ -16,6 +16,9 @@ class Structure {
   public:
     explicit Structure(std::shared_ptr<const Asset> asset) : asset_(std::move(asset)) {}
 
+    /// As new, of this asset, or null until the next call; keeps its memory.
+    void renew(std::shared_ptr<const Asset> asset);
+
     [[nodiscard]] const Asset& asset() const { return *asset_; }
     [[nodiscard]] const BondGraph& graph() const { return asset_->graph(); }
 

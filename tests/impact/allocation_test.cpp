@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// What Sherd takes from the heap while a game runs.
+#include <LinearMath/btAlignedAllocator.h>
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+
+#include "bullet/fragment_shapes.h"
+#include "impact/bullet_world.h"
+#include "support/allocation_count.h"
+
+using namespace sherd;
+using namespace sherd::test;
+
+namespace {
+
+/// Two levels, anchored by the first of its pieces.
+std::shared_ptr<const Asset> anchoredWall() {
+    FractureSet set = makeBoxFracture(
+        {.size = {2, 2, 0.4F}, .level1 = {4, 4, 1}, .level2 = {2, 2, 1}, .toughness = 5});
+    for (int32_t leaf = 0; leaf < int32_t(set.fragments.size()); ++leaf) {
+        if (set.fragments[size_t(leaf)].children.count > 0) continue;
+        if (set.fragments[size_t(leaf)].centerOfMass.y > -0.7F) continue;
+        Bond anchor;
+        anchor.a = leaf;
+        anchor.area = 0.05F;
+        anchor.normal = {0, -1, 0};
+        anchor.centroid = set.fragments[size_t(leaf)].centerOfMass;
+        set.bonds.push_back(anchor);
+    }
+    return Asset::fromFractureSet(std::move(set)).value();
+}
+
+/// A wall is shot to pieces that fall, come to rest, freeze, fade and go; everything is asked for
+/// in every step, as a game does. Returns how often Sherd took memory in its part of the steps.
+uint64_t playThrough(BulletWorld& bullet, DestructionWorld& destruction,
+                     const std::shared_ptr<const Asset>& asset) {
+    const ObjectId wall = destruction.spawn(asset, at(0, 1, 0)).value();
+    uint64_t taken = 0;
+    uint32_t most = 0;
+    std::vector<btRigidBody*> balls;
+    for (int i = 0; i < 400; ++i) {
+        if (i % 100 == 10) {
+            const float x = -0.6F + 0.004F * float(i);
+            balls.push_back(&bullet.addBall(0.2F, 100, btVector3(x, 1.5F, -2), btVector3(0, 0, 12)));
+        }
+        bullet.step();
+        const uint64_t before = allocationCount();
+        destruction.afterStep(kStep);
+        (void)destruction.poses();
+        (void)destruction.changedPoses();
+        (void)destruction.events();
+        (void)destruction.impacts();
+        (void)destruction.islandEvents();
+        (void)destruction.removals();
+        taken += allocationCount() - before;
+        most = std::max(most, destruction.bodyCount());
+    }
+    CHECK(most > 20);                       // it broke
+    CHECK(destruction.bodyCount() < most);  // and pieces went
+    REQUIRE(destruction.remove(wall));
+    for (btRigidBody* ball : balls) bullet.take(*ball);
+    return taken;
+}
+
+}  // namespace
+
+TEST_CASE("after a first time, Sherd takes no memory in steps, whatever breaks, rests and goes") {
+    BulletWorld bullet(btVector3(0, -10, 0));
+    bullet.addGround(0);
+    WorldOptions options = drivenByHand();
+    options.leastImpact = 0.01F;
+    options.debris.lifetime = 2;
+    options.debris.fade = 0.5F;
+    DestructionWorld destruction(bullet.world, options);
+    const auto asset = anchoredWall();
+    CHECK(playThrough(bullet, destruction, asset) > 0);
+    for (int i = 0; i < 4; ++i) MESSAGE(playThrough(bullet, destruction, asset));
+    CHECK(playThrough(bullet, destruction, asset) == 0);
+}
+
+namespace {
+
+uint64_t bulletAllocations = 0;
+void* countedAllocation(size_t size) {
+    ++bulletAllocations;
+    return std::malloc(size);
+}
+void countedFree(void* memory) {
+    std::free(memory);
+}
+
+/// Puts Bullet's own counting in and, in the end, its default back.
+class BulletCount {
+  public:
+    BulletCount() { btAlignedAllocSetCustom(countedAllocation, countedFree); }
+    ~BulletCount() { btAlignedAllocSetCustom(nullptr, nullptr); }
+    BulletCount(const BulletCount&) = delete;
+    BulletCount& operator=(const BulletCount&) = delete;
+};
+
+}  // namespace
+
+TEST_CASE("Bullet takes no more memory for a break than when the same is done by hand") {
+    const BulletCount counting;
+    const auto asset = makeBox({.level1 = {5, 5, 5}});
+    uint64_t ours = 0, byHand = 0;
+    {
+        BulletWorld bullet;
+        DestructionWorld destruction(bullet.world);
+        const ObjectId box = destruction.spawn(asset, at(0, 0, 0)).value();
+        bullet.step();
+        const uint64_t before = bulletAllocations;
+        REQUIRE(destruction.breakFragment(box));
+        ours = bulletAllocations - before;
+    }
+    {
+        BulletWorld bullet;
+        const FragmentShapes shapes(asset);
+        std::vector<std::unique_ptr<btRigidBody>> bodies;
+        const auto add = [&](uint32_t f) {
+            const Fragment& fragment = asset->fragment(f);
+            const glm::vec3& inertia = fragment.inertiaDiagonal;
+            btRigidBody::btRigidBodyConstructionInfo info(fragment.mass, nullptr, shapes.shape(f),
+                                                          {inertia.x, inertia.y, inertia.z});
+            info.m_startWorldTransform = shapes.bodyFrame(f);
+            bodies.push_back(std::make_unique<btRigidBody>(info));
+            bullet.world.addRigidBody(bodies.back().get());
+        };
+        add(0);
+        bullet.step();
+        const uint64_t before = bulletAllocations;
+        bullet.world.removeRigidBody(bodies[0].get());
+        for (uint32_t f = 1; f < asset->fragmentCount(); ++f) add(f);
+        byHand = bulletAllocations - before;
+        for (size_t b = 1; b < bodies.size(); ++b) bullet.world.removeRigidBody(bodies[b].get());
+    }
+    CHECK(byHand > 0);
+    CHECK(ours <= byHand);
+}
