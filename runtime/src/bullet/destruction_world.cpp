@@ -14,6 +14,7 @@
 #include "bullet/bullet_bodies.h"
 #include "bullet/convert.h"
 #include "bullet/object_snapshot.h"
+#include "bullet/resting_pieces.h"
 #include "core/debris.h"
 #include "core/finite.h"
 #include "core/structure_bytes.h"
@@ -135,6 +136,16 @@ class DestructionWorld::Impl final : public btActionInterface {
         islands.allowBodies(settings.maxNewBodiesPerStep);
     }
 
+    /// Breaks something of an object by `breakIt`. What was at rest may rest on.
+    template <class Break>
+    auto release(uint32_t object, const Break& breakIt) {
+        const bool rests = releasesAsleep.size() > object && releasesAsleep[object] != 0 &&
+                           isAtRest(islands, bodies, object);
+        const auto result = breakIt();
+        if (rests) restWhatIsBorne(world, islands, bodies, object);
+        return result;
+    }
+
     /// Leaves whose shape, at its place in the world, is wanted.
     template <class Wanted>
     std::vector<uint32_t> leavesWhere(uint32_t object, const Wanted& wanted) const {
@@ -167,6 +178,7 @@ class DestructionWorld::Impl final : public btActionInterface {
     IslandWorld islands;
     Breaker breaker;
     Debris debris;
+    std::vector<uint8_t> releasesAsleep;  ///< per object
 };
 
 DestructionWorld::DestructionWorld(btDynamicsWorld& world, const WorldOptions& options)
@@ -187,6 +199,8 @@ Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& ass
         motion.angularVelocity = options.angularVelocity;
         const ObjectId object = impl.islands.spawn(
             asset, pose, combine(impl.settings.damage, options.damage), options.dynamic, motion);
+        impl.releasesAsleep.resize(std::max<size_t>(impl.releasesAsleep.size(), object.index + 1));
+        impl.releasesAsleep[object.index] = options.releaseAsleep ? 1 : 0;
         if (options.anchorToStatic) {
             const auto leaves = impl.leavesWhere(
                 object.index, [&](btCollisionShape& shape, const btTransform& place) {
@@ -207,22 +221,29 @@ bool DestructionWorld::remove(ObjectId object) {
 }
 
 bool DestructionWorld::breakFragment(ObjectId object, uint32_t fragment) {
-    if (!isAlive(object) || !impl_->islands.breakFragment(object.index, fragment, false))
-        return false;
+    if (!isAlive(object)) return false;
+    const bool broken = impl_->release(
+        object.index, [&] { return impl_->islands.breakFragment(object.index, fragment, false); });
+    if (!broken) return false;
     impl_->bodies.released().settle();
     return true;
 }
 
 bool DestructionWorld::detach(ObjectId object, uint32_t fragment) {
-    if (!isAlive(object) || !impl_->islands.breakFragment(object.index, fragment, true))
-        return false;
+    if (!isAlive(object)) return false;
+    const bool broken = impl_->release(
+        object.index, [&] { return impl_->islands.breakFragment(object.index, fragment, true); });
+    if (!broken) return false;
     impl_->bodies.released().settle();
     return true;
 }
 
 bool DestructionWorld::breakAll(ObjectId object) {
     if (!isAlive(object)) return false;
-    impl_->islands.breakAll(object.index);
+    (void)impl_->release(object.index, [&] {
+        impl_->islands.breakAll(object.index);
+        return true;
+    });
     impl_->bodies.released().settle();
     return true;
 }
@@ -236,7 +257,8 @@ bool DestructionWorld::heal(ObjectId object, float share) {
 Result<uint32_t> DestructionWorld::damage(ObjectId object, const AreaDamage& damage) {
     if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
     if (!isAlive(object)) return fail(ErrorCode::badArgument, "the object is gone", "object");
-    const uint32_t broken = impl_->islands.dealArea(object.index, damage);
+    const uint32_t broken =
+        impl_->release(object.index, [&] { return impl_->islands.dealArea(object.index, damage); });
     impl_->bodies.released().settle();
     return broken;
 }
@@ -245,7 +267,9 @@ Result<uint32_t> DestructionWorld::damage(const AreaDamage& damage) {
     if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
     uint32_t broken = 0;
     for (uint32_t object = 0; object < impl_->islands.objectCount(); ++object)
-        if (isAlive(impl_->islands.idOf(object))) broken += impl_->islands.dealArea(object, damage);
+        if (isAlive(impl_->islands.idOf(object)))
+            broken +=
+                impl_->release(object, [&] { return impl_->islands.dealArea(object, damage); });
     impl_->bodies.released().settle();
     return broken;
 }

@@ -65,6 +65,10 @@ struct SpawnOptions {
     int collisionMask = 0;   ///< Bullet's defaults
     /// Pins every leaf that touches something static where the object is put, a wall on its ground.
     bool anchorToStatic = false;
+    /// What the game breaks (`breakFragment`, `detach`, `breakAll`, `damage`) while all of the
+    /// object lies still starts frozen where it rests, over others, on something static: the heap
+    /// keeps its shape until it is touched. Needs `WorldOptions::freezeAfter`.
+    bool releaseAsleep = false;
 };
 
 /// What a Bullet body of Sherd's stands for.
