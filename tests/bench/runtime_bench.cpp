@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "bullet/fragment_shapes.h"
@@ -166,23 +167,27 @@ Swaps knockOff(const std::shared_ptr<const Asset>& asset, int hits) {
     return swaps;
 }
 
-/// Per step, what Sherd does after Bullet's own work, with 5,000 pieces that move: a heap that has
-/// just come apart, or pieces that slide apart on the ground.
-double stepWithPieces(bool heaped) {
+enum class Pieces { apart, heaped, besideWall };
+
+/// Per step, what Sherd does after Bullet's own work, with 5,000 pieces that move: sliding apart on
+/// the ground, or a heap that has just come apart, beside a wall that may break or none.
+double stepWithPieces(Pieces pieces) {
     constexpr int kSteps = 20;
     BulletWorld bullet(btVector3(0, -10, 0));
     bullet.addGround(0);
-    WorldOptions options = drivenByHand();
-    options.damage.minimumImpulse = HUGE_VALF;
-    DestructionWorld destruction(bullet.world, options);
-    const auto asset = cubes(heaped ? glm::ivec3(10, 20, 25) : glm::ivec3(50, 1, 100));
-    const ObjectId object = destruction.spawn(asset, at(0, heaped ? 1.0F : 0.05F, 0)).value();
+    DestructionWorld destruction(bullet.world, drivenByHand());
+    const bool apart = pieces == Pieces::apart;
+    const auto asset = cubes(apart ? glm::ivec3(50, 1, 100) : glm::ivec3(10, 20, 25));
+    const ObjectId object = destruction.spawn(asset, at(0, apart ? 0.05F : 1, 0)).value();
     (void)destruction.breakAll(object);
-    if (!heaped) {
-        for (uint32_t f = 1; f < asset->fragmentCount(); ++f) {
-            const glm::vec3& place = asset->fragment(f).centerOfMass;
-            destruction.body(object, f)->setLinearVelocity(btVector3(place.x, 0, place.z) * 2);
-        }
+    for (uint32_t f = 1; apart && f < asset->fragmentCount(); ++f) {
+        const glm::vec3& place = asset->fragment(f).centerOfMass;
+        destruction.body(object, f)->setLinearVelocity(btVector3(place.x, 0, place.z) * 2);
+    }
+    if (pieces == Pieces::besideWall) {
+        const auto wall = makeBox({.size = {4, 2, 0.2F}, .level1 = {16, 8, 1}});
+        const ObjectId standing = destruction.spawn(wall, at(0, 1, 2.7F)).value();
+        (void)destruction.anchorInBox(standing, {-9, -1, -9}, {9, 0.1F, 9});
     }
     double time = 0;
     for (int i = -5; i < kSteps; ++i) {
@@ -263,9 +268,12 @@ int main(int argc, char** argv) {
                     1e3 * (ours - without));
     }
     std::printf("Sherd's own part of a step with 5,000 pieces that move\n");
-    for (const bool heaped : {false, true})
-        std::printf("  %-32s%14.3f ms\n", heaped ? "in a heap" : "side by side",
-                    smallest(std::min(runs, 2), [&] { return stepWithPieces(heaped); }));
+    for (const auto& [name, pieces] :
+         {std::pair("side by side", Pieces::apart), std::pair("in a heap", Pieces::heaped),
+          std::pair("and beside a wall", Pieces::besideWall)})
+        std::printf("  %-32s%14.3f ms\n", name, smallest(std::min(runs, 2), [&, which = pieces] {
+                        return stepWithPieces(which);
+                    }));
     std::printf("a step of 1/60 s, of four, of a quiet heap of 972 beside a turning ball\n");
     for (const bool freezes : {true, false})
         std::printf("  %-32s%14.3f ms\n", freezes ? "frozen one by one" : "as Bullet does",

@@ -42,7 +42,8 @@ uint64_t playThrough(BulletWorld& bullet, DestructionWorld& destruction,
     for (int i = 0; i < 400; ++i) {
         if (i % 100 == 10) {
             const float x = -0.6F + 0.004F * float(i);
-            balls.push_back(&bullet.addBall(0.2F, 100, btVector3(x, 1.5F, -2), btVector3(0, 0, 12)));
+            balls.push_back(
+                &bullet.addBall(0.2F, 100, btVector3(x, 1.5F, -2), btVector3(0, 0, 12)));
         }
         bullet.step();
         const uint64_t before = allocationCount();

@@ -24,14 +24,12 @@ class LooseStack {
     LooseStack(const BoxFracture& recipe, float side, bool asleep)
         : asset_(makeBox(recipe)), side_(side), scale_(side / largest(recipe)) {
         bullet.addGround(0);
-        WorldOptions options;
-        options.releaseAsleep = asleep;
-        destruction = std::make_unique<DestructionWorld>(bullet.world, options);
+        destruction = std::make_unique<DestructionWorld>(bullet.world);
         SpawnOptions spawn;
+        spawn.releaseAsleep = asleep;
         spawn.scale = scale_;
         place_ = {0, scale_ * recipe.size.y / 2, 0};
         object = destruction->spawn(asset_, at(place_.x, place_.y, place_.z), spawn).value();
-        if (asleep) destruction->body(object)->forceActivationState(ISLAND_SLEEPING);
         REQUIRE(destruction->breakAll(object));
         REQUIRE(destruction->bodyCount() == asset_->fragmentCount() - 1);
     }
@@ -91,36 +89,6 @@ TEST_CASE("from 5 cm to 50 m, what is released asleep stands as it was, and wake
             CHECK(stack.swayIn(2, 120) > 0.02F);
         }
     }
-}
-
-TEST_CASE("what was awake, or hit, is released awake") {
-    BulletWorld bullet(btVector3(0, -10, 0));
-    WorldOptions options;
-    options.releaseAsleep = true;
-    DestructionWorld destruction(bullet.world, options);
-    const auto asset = makeBox();
-    const ObjectId awake = destruction.spawn(asset, at(0, 0, 0)).value();
-    const ObjectId hit = destruction.spawn(asset, at(5, 0, 0)).value();
-    const ObjectId blown = destruction.spawn(asset, at(10, 0, 0)).value();
-    REQUIRE(destruction.breakAll(awake));
-    destruction.body(hit)->forceActivationState(ISLAND_SLEEPING);
-    ReportedHit blow;
-    blow.point = {4.5F, 0, 0};
-    blow.energy = 1e6F;
-    blow.speed = 100;
-    blow.impulse = 1;
-    REQUIRE(destruction.reportHit(*destruction.body(hit), blow).value() > 0);
-    destruction.body(blown)->forceActivationState(ISLAND_SLEEPING);
-    AreaDamage blast;
-    blast.a = {10, 0, 0};
-    blast.radius = 2;
-    blast.fluence = 1e6F;
-    REQUIRE(destruction.explode(blast, 0).value() > 0);
-    for (int i = 0; i < 10; ++i) bullet.step();
-    CHECK(destruction.bodyCount() == 24);
-    for (const ObjectId object : {awake, hit, blown})
-        for (uint32_t f = 1; f <= 8; ++f)
-            CHECK(destruction.body(object, f)->getLinearVelocity().y() < -1);
 }
 
 TEST_CASE("a frozen piece stops where it is, and goes on when something touches it") {

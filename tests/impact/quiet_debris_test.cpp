@@ -277,6 +277,56 @@ TEST_CASE("frozen pieces break like others, and what lay on them wakes") {
     CHECK(bullet.world.getNumCollisionObjects() == 1);
 }
 
+TEST_CASE("what is broken at rest and released asleep stands as it stood, until it is touched") {
+    // At 60 Hz Bullet cannot hold such a column by itself.
+    const BoxFracture column{.size = {0.4F, 2, 0.4F}, .level1 = {1, 10, 1}};
+    const BoxFracture wall{.size = {4, 2, 0.4F}, .level1 = {8, 8, 1}};
+    for (const BoxFracture& recipe : {column, wall}) {
+        BulletWorld bullet(btVector3(0, -10, 0));
+        bullet.addGround(0);
+        DestructionWorld destruction(bullet.world, freezing());
+        SpawnOptions asleep;
+        asleep.releaseAsleep = true;
+        const auto asset = makeBox(recipe);
+        const ObjectId object = destruction.spawn(asset, at(0, 1, 0), asleep).value();
+        for (int i = 0; i < 30; ++i) bullet.step();
+        const glm::vec3 stood = destruction.poses()[0].pose.translation;
+        REQUIRE(destruction.breakAll(object));
+        CHECK(destruction.frozenCount() == asset->graph().leafCount());
+        for (int i = 0; i < 300; ++i) bullet.step();
+        for (const FragmentPose& pose : destruction.poses())
+            CHECK(glm::distance(pose.pose.translation, stood) < 0.01F);
+        const btVector3 lowest = destruction.body(object, 1)->getCenterOfMassPosition();
+        bullet.addBall(0.15F, 200, lowest + btVector3(0, 0, -2), btVector3(0, 0, 12));
+        for (int i = 0; i < 90; ++i) bullet.step();
+        CHECK(destruction.body(object, 1)->getCenterOfMassPosition().z() > 0.3F);
+        uint32_t moved = 0;
+        for (const FragmentPose& pose : destruction.poses())
+            moved += glm::distance(pose.pose.translation, stood) > 0.05F ? 1 : 0;
+        CHECK(moved >= 5);
+    }
+}
+
+TEST_CASE("what nothing bears is not released asleep") {
+    BulletWorld bullet(btVector3(0, -10, 0));
+    bullet.addGround(0);
+    DestructionWorld destruction(bullet.world, freezing());
+    SpawnOptions asleep;
+    asleep.releaseAsleep = true;
+    // A beam that sticks out of a pillar; only the pillar stands on the ground.
+    const auto asset = makeBox({.size = {4, 1, 1}, .level1 = {4, 1, 1}});
+    bullet.add(std::make_unique<btBoxShape>(btVector3(0.5F, 1, 0.5F)), 0, btVector3(-1.5F, 1, 0),
+               btVector3(0, 0, 0));
+    asleep.dynamic = false;
+    const ObjectId beam = destruction.spawn(asset, at(0, 2.5F, 0), asleep).value();
+    REQUIRE(destruction.breakAll(beam));
+    CHECK(destruction.isFrozen(beam, 1));
+    CHECK(destruction.frozenCount() == 1);
+    for (int i = 0; i < 60; ++i) bullet.step();
+    for (uint32_t f = 2; f <= 4; ++f)
+        CHECK(destruction.body(beam, f)->getCenterOfMassPosition().y() < 2);
+}
+
 TEST_CASE("two identical runs with freezing and waking give identical bits") {
     const auto record = [] {
         std::vector<float> log;

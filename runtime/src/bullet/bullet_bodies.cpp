@@ -26,9 +26,8 @@ std::span<const uint32_t> BulletBodies::fragmentsOf(uint32_t island) const {
 }
 
 void BulletBodies::attach(IslandWorld& islands, std::span<const BodyRule> rules,
-                          GameListener* listener, bool releaseAsleep) {
+                          GameListener* listener) {
     islands_ = &islands;
-    releaseAsleep_ = releaseAsleep;
     rules_ = rules;
     listener_ = listener;
 }
@@ -178,7 +177,7 @@ void BulletBodies::update(const IslandBody& island) {
     move(body, island.motion);
     // Bullet puts what stands fixed to sleep, and it would hang in the air; as what slept would.
     if (!isFixed && wasFixed) body.forceActivationState(ACTIVE_TAG);
-    if (!isFixed && !(releaseAsleep_ && isAsleep_)) body.activate();
+    if (!isFixed) body.activate();
     const BodyFilter filter = rule(slot, island);
     if (isInWorld && isInPlace) {
         const btBroadphaseProxy& proxy = *body.getBroadphaseProxy();

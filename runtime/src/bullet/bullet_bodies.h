@@ -35,10 +35,8 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     BulletBodies(const BulletBodies&) = delete;
     BulletBodies& operator=(const BulletBodies&) = delete;
 
-    /// Before the first body: whose islands these are, what rules say, who listens, or null, and
-    /// whether what comes off a sleeping body sleeps.
-    void attach(IslandWorld& islands, std::span<const BodyRule> rules, GameListener* listener,
-                bool releaseAsleep);
+    /// Before the first body: whose islands these are, what rules say, and who listens, or null.
+    void attach(IslandWorld& islands, std::span<const BodyRule> rules, GameListener* listener);
     /// Shapes of assets, by size.
     [[nodiscard]] AssetStore& assets() { return assets_; }
     /// Bullet's filter bits for bodies of the object that comes next; both 0: Bullet's defaults.
@@ -170,8 +168,6 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     std::span<const BodyRule> rules_;
     GameListener* listener_ = nullptr;
     bool isTelling_ = false;
-    bool releaseAsleep_ = false;
-    bool isAsleep_ = false;  ///< the body that is coming apart
     AssetStore assets_;
     std::vector<BodyFilter> filters_;  ///< per object
     std::optional<BodyFilter> nextFilter_;

@@ -14,6 +14,7 @@
 #include "bullet/breaker.h"
 #include "bullet/bullet_bodies.h"
 #include "bullet/convert.h"
+#include "bullet/resting_pieces.h"
 #include "core/debris.h"
 #include "core/finite.h"
 #include "core/report.h"
@@ -131,7 +132,7 @@ class DestructionWorld::Impl final : public btActionInterface {
           islands(bodies, options.maxPendingEvents),
           breaker(bullet, bodies, islands, options.leastImpact),
           debris(options.debris) {
-        bodies.attach(islands, settings.rules, settings.listener, settings.releaseAsleep);
+        bodies.attach(islands, settings.rules, settings.listener);
         islands.setFade(settings.debris.fade);
         islands.allowBodies(settings.maxNewBodiesPerStep);
         islands.allowAwake(settings.maxAwakeBodies);
@@ -169,6 +170,16 @@ class DestructionWorld::Impl final : public btActionInterface {
         bodies.quiet().step(islands.time());
         bodies.setInStep(false);
         islands.allowBodies(settings.maxNewBodiesPerStep);
+    }
+
+    /// Breaks something of an object by `breakIt`. What was at rest may rest on.
+    template <class Break>
+    auto release(uint32_t object, const Break& breakIt) {
+        const bool rests = releasesAsleep.size() > object && releasesAsleep[object] != 0 &&
+                           isAtRest(islands, bodies, object);
+        const auto result = breakIt();
+        if (rests) restWhatIsBorne(world, islands, bodies, object);
+        return result;
     }
 
     /// Leaves whose shape, at its place in the world, is wanted.
@@ -225,7 +236,8 @@ class DestructionWorld::Impl final : public btActionInterface {
     IslandWorld islands;
     Breaker breaker;
     Debris debris;
-    float lastStep = 0;  ///< s; 0: none yet
+    std::vector<uint8_t> releasesAsleep;  ///< per object
+    float lastStep = 0;                   ///< s; 0: none yet
 
   private:
     std::vector<Hold> holds_;  ///< per object
@@ -256,6 +268,8 @@ Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& ass
         motion.angularVelocity = options.angularVelocity;
         const ObjectId object = impl.islands.spawn(
             *sized, pose, combine(impl.settings.damage, options.damage), options.dynamic, motion);
+        impl.releasesAsleep.resize(std::max<size_t>(impl.releasesAsleep.size(), object.index + 1));
+        impl.releasesAsleep[object.index] = options.releaseAsleep ? 1 : 0;
         impl.holds(object.index) = options.anchorToStatic ? Hold::toStatic : Hold::none;
         if (options.anchorToStatic) impl.anchorToStatic(object.index);
         return object;
@@ -357,22 +371,29 @@ bool DestructionWorld::remove(ObjectId object) {
 }
 
 bool DestructionWorld::breakFragment(ObjectId object, uint32_t fragment) {
-    if (!impl_->isThere(object) || !impl_->islands.breakFragment(object.index, fragment, false))
-        return false;
+    if (!impl_->isThere(object)) return false;
+    const bool broken = impl_->release(
+        object.index, [&] { return impl_->islands.breakFragment(object.index, fragment, false); });
+    if (!broken) return false;
     impl_->bodies.released().settle();
     return true;
 }
 
 bool DestructionWorld::detach(ObjectId object, uint32_t fragment) {
-    if (!impl_->isThere(object) || !impl_->islands.breakFragment(object.index, fragment, true))
-        return false;
+    if (!impl_->isThere(object)) return false;
+    const bool broken = impl_->release(
+        object.index, [&] { return impl_->islands.breakFragment(object.index, fragment, true); });
+    if (!broken) return false;
     impl_->bodies.released().settle();
     return true;
 }
 
 bool DestructionWorld::breakAll(ObjectId object) {
     if (!impl_->isThere(object)) return false;
-    impl_->islands.breakAll(object.index);
+    (void)impl_->release(object.index, [&] {
+        impl_->islands.breakAll(object.index);
+        return true;
+    });
     impl_->bodies.released().settle();
     return true;
 }
@@ -395,7 +416,8 @@ Result<uint32_t> DestructionWorld::damage(ObjectId object, const AreaDamage& dam
     if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
     if (!impl_->isThere(object))
         return fail(ErrorCode::badArgument, "the object is gone", "object");
-    const uint32_t broken = impl_->islands.dealArea(object.index, damage);
+    const uint32_t broken =
+        impl_->release(object.index, [&] { return impl_->islands.dealArea(object.index, damage); });
     impl_->bodies.released().settle();
     return broken;
 }
@@ -405,7 +427,8 @@ Result<uint32_t> DestructionWorld::damage(const AreaDamage& damage) {
     uint32_t broken = 0;
     for (uint32_t object = 0; object < impl_->islands.objectCount(); ++object)
         if (impl_->isThere(impl_->islands.idOf(object)))
-            broken += impl_->islands.dealArea(object, damage);
+            broken +=
+                impl_->release(object, [&] { return impl_->islands.dealArea(object, damage); });
     impl_->bodies.released().settle();
     return broken;
 }

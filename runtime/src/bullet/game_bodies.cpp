@@ -88,7 +88,6 @@ void BulletBodies::beforeSplit(uint32_t island) {
     const btRigidBody& body = *bodies_[island].body;
     released_.beforeSplit(island);
     constraints_.beforeSplit(body);
-    isAsleep_ = releaseAsleep_ && !body.isStaticOrKinematicObject() && !body.isActive();
 }
 
 void BulletBodies::afterSplit(uint32_t island, std::span<const uint32_t> islands) {
@@ -99,9 +98,6 @@ void BulletBodies::afterSplit(uint32_t island, std::span<const uint32_t> islands
     constraints_.afterSplit(*old, parts_, listener_);
     isTelling_ = false;
     if (replaced_) announce(islands);
-    if (isAsleep_)
-        for (const uint32_t i : islands)
-            if (!bodies_[i].body->isStaticObject()) putToSleep(*bodies_[i].body);
     released_.afterSplit(island, islands);
 }
 

@@ -144,6 +144,37 @@ void QuietDebris::letGo(Node& node) {
                                      btCollisionObject::CF_STATIC_OBJECT);
 }
 
+float QuietDebris::wakeSpeedOf(const Node& node) {
+    const auto gravity = float(node.body->getGravity().length());
+    return kWake * std::max(std::sqrt(gravity * node.size), node.size);
+}
+
+bool QuietDebris::isSlow(uint32_t island) const {
+    const Node& node = nodes_[island];
+    if (node.body->isStaticObject() || !node.body->isActive()) return true;
+    const btScalar speed = node.body->getLinearVelocity().length() +
+                           node.body->getAngularVelocity().length() * node.size;
+    return float(speed) <= wakeSpeedOf(node);
+}
+
+bool QuietDebris::mayFreeze(const Node& node) const {
+    if (!node.freezable || node.isFrozen || !node.body->isInWorld()) return false;
+    const int state = node.body->getActivationState();
+    return state != DISABLE_DEACTIVATION && state != DISABLE_SIMULATION &&
+           node.body->getNumConstraintRefs() == 0;
+}
+
+bool QuietDebris::rest(uint32_t island) {
+    if (!mayFreeze(nodes_[island]) || !isSlow(island)) return false;
+    freeze(island);
+    return true;
+}
+
+void QuietDebris::touchBearer(uint32_t island, const btCollisionObject& bearer) {
+    const uint32_t us = islandOf(bearer);
+    link(us != kNobody ? us : otherFor(bearer), island, true, false);
+}
+
 void QuietDebris::freeze(uint32_t island) {
     Node& node = nodes_[island];
     DebrisBody& body = *node.freezable;
@@ -158,8 +189,7 @@ void QuietDebris::freeze(uint32_t island) {
     body.setWatcher(this, island);
     node.isFrozen = true;
     node.pose = body.getWorldTransform();
-    const auto gravity = float(body.getGravity().length());
-    node.wakeSpeed = kWake * std::max(std::sqrt(gravity * node.size), node.size);
+    node.wakeSpeed = wakeSpeedOf(node);
     ++frozenCount_;
 }
 
@@ -424,11 +454,7 @@ void QuietDebris::freezeQuiet(double time) {
     candidates_.clear();
     for (uint32_t island = 0; island < nodes_.size(); ++island) {
         const Node& node = nodes_[island];
-        if (!node.freezable || node.isFrozen || !node.body->isInWorld()) continue;
-        const int state = node.body->getActivationState();
-        if (state == DISABLE_DEACTIVATION || state == DISABLE_SIMULATION) continue;
-        if (time - node.since < double(after_) || node.body->getNumConstraintRefs() > 0) continue;
-        candidates_.push_back(island);
+        if (mayFreeze(node) && time - node.since >= double(after_)) candidates_.push_back(island);
     }
     if (candidates_.empty()) return;
     standing_.assign(nodes_.size(), Standing::none);

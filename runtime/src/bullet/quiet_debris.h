@@ -67,6 +67,14 @@ class QuietDebris {
     }
     [[nodiscard]] uint32_t frozenCount() const { return frozenCount_; }
 
+    /// Freezes a piece that lies still, whether or not it has for long. False where it may not be.
+    bool rest(uint32_t island);
+    /// What is known to touch before Bullet has made contacts of it; one of the two is frozen.
+    void touch(uint32_t lower, uint32_t upper, bool bears) { link(lower, upper, bears, false); }
+    void touchBearer(uint32_t island, const btCollisionObject& bearer);
+    /// Fixed, asleep, or slower than what wakes others.
+    [[nodiscard]] bool isSlow(uint32_t island) const;
+
     /// Something awake is near a frozen piece, and contacts have not been solved yet.
     void onNear(uint32_t island, const btCollisionObject& other);
 
@@ -120,6 +128,8 @@ class QuietDebris {
     void findTouches();
     [[nodiscard]] bool isFirm(uint32_t id) const;
     void findGrounded();
+    [[nodiscard]] bool mayFreeze(const Node& node) const;
+    [[nodiscard]] static float wakeSpeedOf(const Node& node);
     void freeze(uint32_t island);
     void hold(uint32_t island);
     void letGo(Node& node);

@@ -42,10 +42,6 @@ struct WorldOptions {
     /// Impacts of at least so much energy are listed by `impacts`, J; infinity: none, and pieces
     /// that cannot break are not looked at. Some 0.3 us for every pair that touches.
     float leastImpact = HUGE_VALF;
-    /// What comes off something that sleeps, and was not hit, sleeps until something touches it:
-    /// walls of any size stand, also those Bullet does not hold up. It sleeps, too, where its
-    /// support has just been broken away.
-    bool releaseAsleep = false;
     /// Filters, friction and sweeping by level and size.
     std::vector<BodyRule> rules;
     GameListener* listener = nullptr;  ///< the game's, told of what happens to its bodies
@@ -79,6 +75,10 @@ struct SpawnOptions {
     int collisionMask = 0;   ///< Bullet's defaults
     /// Pins every leaf that touches something static where the object is put, a wall on its ground.
     bool anchorToStatic = false;
+    /// What the game breaks (`breakFragment`, `detach`, `breakAll`, `damage`) while all of the
+    /// object lies still starts frozen where it rests, over others, on something static: the heap
+    /// keeps its shape until it is touched. Needs `WorldOptions::freezeAfter`.
+    bool releaseAsleep = false;
     /// Times its size, > 0: masses grow with its cube, what breaking consumes with its square.
     /// `placementOf` takes it out of a matrix, and refuses those that stretch.
     float scale = 1;
