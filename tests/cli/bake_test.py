@@ -46,6 +46,21 @@ class Baking(CommandCase):
         self.assertEqual(sorted(p.name for p in self.dir.iterdir()),
                          ['cube.glb', 'map.svg', 'out.glb'])
 
+    def test_geometry_is_compressed_where_the_build_has_draco(self):
+        compressed = ('--encoding', 'draco')
+        if os.environ.get('SHERD_DRACO') == '1':
+            self.bake()
+            plain = self.out.stat().st_size
+            self.bake(*compressed)
+            self.assertLess(self.out.stat().st_size, plain)
+            document = inputs.unpack_glb(self.out.read_bytes())[0]
+            self.assertEqual(document['extensionsUsed'], ['SHERD_mesh_fracture'])
+            self.assertNotIn('extensionsRequired', document)
+            self.assertTrue(self.succeed('check', self.out).stdout.endswith('check passed\n'))
+        elif 'SHERD_DRACO' in os.environ:
+            self.refuse(['bake', self.model, '-o', self.out, '--map', self.map, *compressed],
+                        'Unsupported', ['SHERD_DRACO=ON'])
+
     def test_a_thickness_without_a_shell_is_told(self):
         thickness = ('--shell-thickness', '0.1')
         self.assertIn('note shell-unused', self.bake(*thickness).stdout)
