@@ -20,7 +20,7 @@ class BodyOwner {
 
 /// A body that Sherd makes. Games that clear Bullet's world delete whatever they find in it: then
 /// it tells, so that nobody looks at it again.
-class OwnBody : public btRigidBody {
+class OwnBody final : public btRigidBody {
   public:
     OwnBody(const btRigidBodyConstructionInfo& info, BodyOwner& owner, uint32_t island)
         : btRigidBody(info), owner_(&owner), island_(island) {}
