@@ -42,6 +42,7 @@ std::vector<btTransform> breakOne(const std::shared_ptr<const Asset>& asset,
     for (int i = 0; i < 90; ++i) bullet.step();
     REQUIRE(destruction.bodyCount() > 8);
     std::vector<btTransform> places;
+    places.reserve(size_t(bullet.world.getNumCollisionObjects()));
     for (int i = 0; i < bullet.world.getNumCollisionObjects(); ++i)
         places.push_back(bullet.world.getCollisionObjectArray()[i]->getWorldTransform());
     return places;
