@@ -156,7 +156,7 @@ double imbalance(const Structure& structure, const StressSolver& solver, const g
 
 /// Breaks one bond after the other until nothing is overloaded. Returns how many broke.
 uint32_t collapse(Structure& structure, StressSolver& solver, const glm::vec3& gravity) {
-    std::vector<uint32_t> broken;
+    Vector<uint32_t> broken;
     uint32_t count = 0;
     do {
         solver.reset(structure, standingOf(structure));
@@ -486,7 +486,7 @@ TEST_CASE("stress: no bond is called overloaded before the forces balance") {
     solver.reset(structure, standingOf(structure));
     solver.setGravity({0, -kGravity, 0});
     int frames = 1;
-    std::vector<uint32_t> broken;
+    Vector<uint32_t> broken;
     for (; !solver.step(1); ++frames) {
         REQUIRE(frames < 1000);
         CHECK(solver.overloaded().empty());

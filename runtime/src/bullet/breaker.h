@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "bullet/bullet_bodies.h"
 #include "bullet/solved_contacts.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -44,8 +44,8 @@ class Breaker {
     IslandWorld& islands_;
     float leastImpact_;
     SolvedContacts contacts_;
-    std::vector<Meeting> meetings_;
-    std::vector<uint8_t> breakable_;  ///< by place in Bullet's world
+    Vector<Meeting> meetings_;
+    Vector<uint8_t> breakable_;  ///< by place in Bullet's world
 };
 
 }  // namespace sherd

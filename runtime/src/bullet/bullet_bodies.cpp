@@ -267,7 +267,7 @@ bool BulletBodies::readPoses(IslandWorld& islands, bool withUnbreakable) {
     return isTouchable;
 }
 
-void BulletBodies::markBreakable(std::vector<uint8_t>& marks) const {
+void BulletBodies::markBreakable(Vector<uint8_t>& marks) const {
     marks.assign(size_t(world_.getNumCollisionObjects()), 0);
     for (const Body& slot : bodies_)
         if (slot.body && slot.isBreakable && slot.body->isInWorld())

@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "bullet/asset_store.h"
 #include "bullet/body_rules.h"
@@ -19,6 +18,7 @@
 #include "bullet/released_pairs.h"
 #include "bullet/rest_overlaps.h"
 #include "sherd/runtime/island_world.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -78,7 +78,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
 
     /// Marks those that may break, or be told of, by their places in Bullet's world; as of
     /// `readPoses`.
-    void markBreakable(std::vector<uint8_t>& marks) const;
+    void markBreakable(Vector<uint8_t>& marks) const;
 
     /// Pieces that were awake and moving at the last `readPoses`.
     [[nodiscard]] uint32_t awakeDebris() const { return awakeDebris_; }
@@ -169,15 +169,15 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     GameListener* listener_ = nullptr;
     bool isTelling_ = false;
     AssetStore assets_;
-    std::vector<BodyFilter> filters_;  ///< per object
+    Vector<BodyFilter> filters_;  ///< per object
     std::optional<BodyFilter> nextFilter_;
     std::optional<Adopted> nextAdopted_;
-    std::vector<uint32_t> adopted_;    ///< islands
+    Vector<uint32_t> adopted_;         ///< islands
     btRigidBody* replaced_ = nullptr;  ///< the game's body that is coming apart
-    std::vector<btRigidBody*> parts_;
-    std::vector<Body> bodies_;  ///< per island
+    Vector<btRigidBody*> parts_;
+    Vector<Body> bodies_;  ///< per island
     IslandShape::Marks marks_;
-    std::vector<std::unique_ptr<IslandShape>> spareShapes_;
+    Vector<std::unique_ptr<IslandShape>> spareShapes_;
     uint32_t awakeDebris_ = 0;
     bool inStep_ = false;
 };

@@ -5,9 +5,9 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <span>
-#include <vector>
 
 #include "sherd/runtime/bullet/game_listener.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -29,7 +29,7 @@ class ConstraintMover {
         bool isMovable;     ///< of a kind whose pivot is known
     };
     btDynamicsWorld& world_;
-    std::vector<Held> held_;
+    Vector<Held> held_;
 };
 
 }  // namespace sherd

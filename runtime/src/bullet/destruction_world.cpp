@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
 
 #include "bullet/adviser.h"
 #include "bullet/body_state.h"
@@ -37,6 +38,9 @@ Result<void> checkInstance(const std::shared_ptr<const Asset>& asset, const Rigi
         return fail(ErrorCode::badArgument, why, "options.damage");
     return {};
 }
+
+/// Large lists are kept, too.
+constexpr std::pmr::pool_options kPools{0, size_t{1} << 22};
 
 constexpr const char* kTelling = "a GameListener must not change the world that calls it";
 
@@ -126,7 +130,9 @@ enum class Hold : uint8_t { none, toStatic, byGame };
 class DestructionWorld::Impl final : public btActionInterface {
   public:
     Impl(btDynamicsWorld& bullet, const WorldOptions& options)
-        : world(bullet),
+        : memory(kPools, options.allocator ? options.allocator : std::pmr::new_delete_resource()),
+          making(std::in_place, memory),
+          world(bullet),
           settings(options),
           bodies(bullet, options.overlapTolerance, options.freezeAfter),
           islands(bodies, options.maxPendingEvents),
@@ -136,6 +142,7 @@ class DestructionWorld::Impl final : public btActionInterface {
         islands.setFade(settings.debris.fade);
         islands.allowBodies(settings.maxNewBodiesPerStep);
         islands.allowAwake(settings.maxAwakeBodies);
+        making.reset();
         if (settings.drive == Drive::action) world.addAction(this);
     }
     ~Impl() override {
@@ -150,6 +157,7 @@ class DestructionWorld::Impl final : public btActionInterface {
 
     // Out of memory within a step ends the program rather than leave half a swap behind.
     void step(float dt, bool inStep) noexcept {
+        const MemoryScope scope(memory);
         islands.setTime(islands.time() + double(dt));
         lastStep = dt;
         bodies.noticeGone();
@@ -230,6 +238,9 @@ class DestructionWorld::Impl final : public btActionInterface {
         return islands.isAlive(object) ? islands.findIsland(object.index, fragment) : UINT32_MAX;
     }
 
+    std::pmr::unsynchronized_pool_resource memory;
+    std::optional<MemoryScope> making;  ///< what follows
+
     btDynamicsWorld& world;
     WorldOptions settings;
     BulletBodies bodies;
@@ -250,6 +261,7 @@ DestructionWorld::~DestructionWorld() = default;
 
 Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& asset,
                                          const RigidPose& pose, const SpawnOptions& options) {
+    const MemoryScope scope(impl_->memory);
     if (auto ok = checkInstance(asset, pose, options.scale, options.damage); !ok)
         return tl::unexpected<Error>(ok.error());
     if (!isFinite(options.linearVelocity) || !isFinite(options.angularVelocity))
@@ -281,6 +293,7 @@ Result<ObjectId> DestructionWorld::spawn(const std::shared_ptr<const Asset>& ass
 Result<ObjectId> DestructionWorld::adopt(btRigidBody& body,
                                          const std::shared_ptr<const Asset>& asset,
                                          const AdoptOptions& options) {
+    const MemoryScope scope(impl_->memory);
     if (auto ok = checkInstance(asset, options.objectToBody, options.scale, options.damage); !ok)
         return tl::unexpected<Error>(ok.error());
     Impl& impl = *impl_;
@@ -329,6 +342,7 @@ void DestructionWorld::trim() {
 
 Result<Reload> DestructionWorld::reload(const std::shared_ptr<const Asset>& old,
                                         const std::shared_ptr<const Asset>& fresh) {
+    const MemoryScope scope(impl_->memory);
     if (!old || !fresh)
         return fail(ErrorCode::badArgument, "the asset is null; load one first",
                     old ? "fresh" : "old");
@@ -371,6 +385,7 @@ bool DestructionWorld::remove(ObjectId object) {
 }
 
 bool DestructionWorld::breakFragment(ObjectId object, uint32_t fragment) {
+    const MemoryScope scope(impl_->memory);
     if (!impl_->isThere(object)) return false;
     const bool broken = impl_->release(
         object.index, [&] { return impl_->islands.breakFragment(object.index, fragment, false); });
@@ -380,6 +395,7 @@ bool DestructionWorld::breakFragment(ObjectId object, uint32_t fragment) {
 }
 
 bool DestructionWorld::detach(ObjectId object, uint32_t fragment) {
+    const MemoryScope scope(impl_->memory);
     if (!impl_->isThere(object)) return false;
     const bool broken = impl_->release(
         object.index, [&] { return impl_->islands.breakFragment(object.index, fragment, true); });
@@ -389,6 +405,7 @@ bool DestructionWorld::detach(ObjectId object, uint32_t fragment) {
 }
 
 bool DestructionWorld::breakAll(ObjectId object) {
+    const MemoryScope scope(impl_->memory);
     if (!impl_->isThere(object)) return false;
     (void)impl_->release(object.index, [&] {
         impl_->islands.breakAll(object.index);
@@ -413,6 +430,7 @@ bool DestructionWorld::heal(ObjectId object, float share) {
 }
 
 Result<uint32_t> DestructionWorld::damage(ObjectId object, const AreaDamage& damage) {
+    const MemoryScope scope(impl_->memory);
     if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
     if (!impl_->isThere(object))
         return fail(ErrorCode::badArgument, "the object is gone", "object");
@@ -423,6 +441,7 @@ Result<uint32_t> DestructionWorld::damage(ObjectId object, const AreaDamage& dam
 }
 
 Result<uint32_t> DestructionWorld::damage(const AreaDamage& damage) {
+    const MemoryScope scope(impl_->memory);
     if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
     uint32_t broken = 0;
     for (uint32_t object = 0; object < impl_->islands.objectCount(); ++object)
@@ -454,6 +473,7 @@ Result<uint32_t> DestructionWorld::explode(const AreaDamage& damage, float impul
 
 Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const ReportedHit& hit,
                                           int child) {
+    const MemoryScope scope(impl_->memory);
     impl_->bodies.noticeGone();
     const uint32_t island = impl_->bodies.islandOf(body);
     if (island == UINT32_MAX)
@@ -468,6 +488,7 @@ Result<float> DestructionWorld::reportHit(const btCollisionObject& body, const R
 }
 
 bool DestructionWorld::anchor(ObjectId object, uint32_t fragment, bool anchored) {
+    const MemoryScope scope(impl_->memory);
     if (!impl_->isThere(object) || !impl_->islands.pinFragment(object.index, fragment, anchored))
         return false;
     impl_->holds(object.index) = Hold::byGame;
@@ -477,6 +498,7 @@ bool DestructionWorld::anchor(ObjectId object, uint32_t fragment, bool anchored)
 
 uint32_t DestructionWorld::anchorInBox(ObjectId object, const glm::vec3& low,
                                        const glm::vec3& high) {
+    const MemoryScope scope(impl_->memory);
     if (!impl_->isThere(object)) return 0;
     const uint32_t count = impl_->islands.pinInBox(object.index, low, high);
     if (count > 0) impl_->holds(object.index) = Hold::byGame;
@@ -498,6 +520,7 @@ std::vector<uint8_t> DestructionWorld::save(ObjectId object) const {
 }
 
 Result<void> DestructionWorld::restore(ObjectId object, std::span<const uint8_t> bytes) {
+    const MemoryScope scope(impl_->memory);
     if (!impl_->isThere(object))
         return fail(ErrorCode::badArgument, "the object is gone", "object");
     const IslandWorld::Object& restored = impl_->islands.object(object.index);

@@ -44,7 +44,7 @@ void IslandShape::build(const FragmentShapes& shapes, std::span<const uint32_t> 
     const FragmentShapes::Family* family = shapes.familyOf(fragments);
     if (family) {
         colliders_ = std::make_unique<ColliderSet>(*family->colliders);
-        fragments_ = family->fragments;
+        fragments_.assign(family->fragments.begin(), family->fragments.end());
     } else {
         colliders_ = std::make_unique<ColliderSet>(count);
     }

@@ -3,9 +3,9 @@
 
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "bullet/fragment_shapes.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -15,7 +15,7 @@ namespace sherd {
 class IslandShape {
   public:
     /// Per fragment, zero between calls.
-    using Marks = std::vector<uint8_t>;
+    using Marks = Vector<uint8_t>;
 
     /// Makes it anew of these, ascending. Keeps its memory.
     void build(const FragmentShapes& shapes, std::span<const uint32_t> fragments,
@@ -43,7 +43,7 @@ class IslandShape {
 
     std::unique_ptr<ColliderSet> colliders_;
     std::unique_ptr<ColliderSet> outer_;  ///< null: the colliders lie in the body's frame
-    std::vector<uint32_t> fragments_;     ///< per collider
+    Vector<uint32_t> fragments_;          ///< per collider
 };
 
 }  // namespace sherd

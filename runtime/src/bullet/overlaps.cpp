@@ -100,8 +100,7 @@ void IgnoredPairs::releaseSeparated() {
     }
 }
 
-void IgnoredPairs::remove(const btCollisionObject& body,
-                          std::vector<btCollisionObject*>& partners) {
+void IgnoredPairs::remove(const btCollisionObject& body, Vector<btCollisionObject*>& partners) {
     size_t kept = 0;
     for (const Pair& pair : pairs_) {
         if (pair.a != &body && pair.b != &body) {

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
-
-#include <vector>
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -25,7 +24,7 @@ class IgnoredPairs {
     void releaseSeparated();
 
     /// Forgets a body about to be deleted. Its partners are appended to `partners`.
-    void remove(const btCollisionObject& body, std::vector<btCollisionObject*>& partners);
+    void remove(const btCollisionObject& body, Vector<btCollisionObject*>& partners);
 
     [[nodiscard]] size_t size() const { return pairs_.size(); }
 
@@ -37,7 +36,7 @@ class IgnoredPairs {
     };
     static void setIgnored(const Pair& pair, bool ignored);
 
-    std::vector<Pair> pairs_;
+    Vector<Pair> pairs_;
     size_t next_ = 0;
 };
 

@@ -45,7 +45,7 @@ uint32_t QuietDebris::islandOf(const btCollisionObject& object) const {
     return island < nodes_.size() && nodes_[island].body == &object ? island : kNobody;
 }
 
-std::vector<QuietDebris::Link>& QuietDebris::linksOf(uint32_t id) {
+Vector<QuietDebris::Link>& QuietDebris::linksOf(uint32_t id) {
     return (id & kForeign) != 0 ? others_[id & ~kForeign].links : nodes_[id].links;
 }
 
@@ -102,7 +102,7 @@ void QuietDebris::forget(uint32_t island) {
 
 void QuietDebris::link(uint32_t a, uint32_t b, bool aBearsB, bool bBearsA) {
     const auto enter = [this](uint32_t from, uint32_t to, bool bearsMe, bool isBorne) {
-        std::vector<Link>& links = linksOf(from);
+        Vector<Link>& links = linksOf(from);
         const auto found =
             std::find_if(links.begin(), links.end(), [to](const Link& l) { return l.to == to; });
         if (found == links.end()) {
@@ -117,7 +117,7 @@ void QuietDebris::link(uint32_t a, uint32_t b, bool aBearsB, bool bBearsA) {
 }
 
 void QuietDebris::unlink(uint32_t from, uint32_t to) {
-    std::vector<Link>& links = linksOf(from);
+    Vector<Link>& links = linksOf(from);
     const auto found =
         std::find_if(links.begin(), links.end(), [to](const Link& l) { return l.to == to; });
     if (found == links.end()) return;
@@ -227,7 +227,7 @@ void QuietDebris::thawReached(uint32_t from, float mass) {
     mass -= nodes_[from].mass;
     for (size_t next = 0; next < queue_.size() && mass > 0; ++next) {
         // Thawing one takes links to what is awake out of the list.
-        const std::vector<Link>& links = nodes_[queue_[next]].links;
+        const Vector<Link>& links = nodes_[queue_[next]].links;
         for (size_t l = links.size(); l-- > 0;) {
             const uint32_t to = links[l].to;
             if ((to & kForeign) != 0 || !nodes_[to].isFrozen) continue;

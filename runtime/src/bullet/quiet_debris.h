@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
+#include "sherd/runtime/memory.h"
 
 class btDynamicsWorld;
 
@@ -98,14 +98,14 @@ class QuietDebris {
         bool isFrozen = false, isHeld = false, isInWorld = false;
         btTransform pose;  ///< since which it has been quiet, or in which it was frozen
         double since = 0;  ///< s
-        std::vector<Link> links;
+        Vector<Link> links;
     };
     /// A body of the game's that frozen pieces touch. It may be deleted at any time.
     struct Other {
         const btCollisionObject* object = nullptr;  ///< null: this slot is free
         int uniqueId = 0, index = 0;                ///< in Bullet's world
         btTransform seen;                           ///< its pose in the last substep
-        std::vector<Link> links;
+        Vector<Link> links;
     };
     struct Touch {
         uint32_t a, b;
@@ -114,7 +114,7 @@ class QuietDebris {
 
     [[nodiscard]] uint32_t islandOf(const btCollisionObject& object) const;
     uint32_t otherFor(const btCollisionObject& object);
-    std::vector<Link>& linksOf(uint32_t id);
+    Vector<Link>& linksOf(uint32_t id);
     [[nodiscard]] btTransform poseOf(uint32_t id) const;
     void link(uint32_t a, uint32_t b, bool aBearsB, bool bBearsA);
     void unlink(uint32_t from, uint32_t to);
@@ -143,13 +143,13 @@ class QuietDebris {
     double time_ = 0;
     uint32_t tick_ = 0;
     uint32_t frozenCount_ = 0;
-    std::vector<Node> nodes_;  ///< per island
-    std::vector<Other> others_;
-    std::vector<uint32_t> held_, queue_, candidates_;
-    std::vector<uint32_t> gone_, touched_;  ///< frozen pieces whose support is, that are
-    std::vector<Touch> touches_;
+    Vector<Node> nodes_;  ///< per island
+    Vector<Other> others_;
+    Vector<uint32_t> held_, queue_, candidates_;
+    Vector<uint32_t> gone_, touched_;  ///< frozen pieces whose support is, that are
+    Vector<Touch> touches_;
     enum class Standing : uint8_t { none, candidate, grounded };
-    std::vector<Standing> standing_;  ///< per island, in a round
+    Vector<Standing> standing_;  ///< per island, in a round
 };
 
 }  // namespace sherd

@@ -90,7 +90,7 @@ void ReleasedPairs::settleAnywhere(std::span<const Newcomer> group) {
         float low, high;
         uint32_t island;
     };
-    std::vector<Extent> extents;
+    Vector<Extent> extents;
     extents.reserve(group.size());
     for (const Newcomer& newcomer : group) {
         btVector3 low, high;

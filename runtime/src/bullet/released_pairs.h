@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "bullet/overlaps.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -45,11 +45,11 @@ class ReleasedPairs {
     void settleAnywhere(std::span<const Newcomer> group);
     void test(uint32_t a, uint32_t b);
 
-    std::vector<Newcomer> newcomers_;
-    std::vector<uint32_t> islandOf_;  ///< per fragment, of the group just looked at
+    Vector<Newcomer> newcomers_;
+    Vector<uint32_t> islandOf_;  ///< per fragment, of the group just looked at
     uint32_t groupCount_ = 0;
-    std::vector<std::pair<uint32_t, uint32_t>> inherited_;  ///< overlapped as parts of others
-    std::vector<btCollisionObject*> partners_;
+    Vector<std::pair<uint32_t, uint32_t>> inherited_;  ///< overlapped as parts of others
+    Vector<btCollisionObject*> partners_;
 };
 
 }  // namespace sherd

@@ -50,8 +50,8 @@ struct Pile {
         uint32_t lower, upper;  ///< islands
         bool bears;
     };
-    std::vector<uint32_t> islandOf;  ///< per leaf; UINT32_MAX: gone
-    std::vector<Bond> bonds;
+    Vector<uint32_t> islandOf;  ///< per leaf; UINT32_MAX: gone
+    Vector<Bond> bonds;
 };
 
 Pile pileOf(const IslandWorld& islands, uint32_t object, const glm::vec3& up) {
@@ -94,7 +94,7 @@ void restWhatIsBorne(btDynamicsWorld& world, const IslandWorld& islands, BulletB
     const btVector3 up = -gravity.normalized();
     const Pile pile = pileOf(islands, object, toGlm(up));
     QuietDebris& quiet = bodies.quiet();
-    const std::vector<uint32_t>& pieces = islands.object(object).islands;
+    const Vector<uint32_t>& pieces = islands.object(object).islands;
     const auto isFirm = [&](uint32_t island) {
         return islands.island(island).isFixed || quiet.isFrozen(island);
     };

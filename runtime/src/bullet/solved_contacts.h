@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
+#include "sherd/runtime/memory.h"
 
 class btCollisionWorld;
 
@@ -46,7 +46,7 @@ class SolvedContacts {
     void gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy,
                 std::span<const uint8_t> breakable);
 
-    [[nodiscard]] const std::vector<SolvedPair>& pairs() const { return pairs_; }
+    [[nodiscard]] const Vector<SolvedPair>& pairs() const { return pairs_; }
     /// Null once `forget` was called.
     [[nodiscard]] btCollisionObject* body(uint32_t index) const { return bodies_[index]; }
 
@@ -80,24 +80,24 @@ class SolvedContacts {
     [[nodiscard]] btVector3 moved(uint32_t index) const;
     float surplusEnergy();
 
-    std::vector<SolvedPair> pairs_;
-    std::vector<btCollisionObject*> bodies_;
+    Vector<SolvedPair> pairs_;
+    Vector<btCollisionObject*> bodies_;
     struct Rough {
         const btRigidBody* body;
         btVector3 linear, angular;  ///< impulse received, and its moment
     };
-    std::vector<Rough> rough_;
-    std::vector<uint8_t> near_;  ///< by Bullet's world array index: may break, or touches what may
-    std::vector<Motion> received_;  ///< per body: impulse, and moment about its centre of mass
-    std::vector<Motion> before_;    ///< per body
-    std::vector<btTransform> posesBefore_;  ///< per body; the impulses acted there
-    std::vector<uint32_t> touched_;         ///< bodies whose velocity the last undo changed
+    Vector<Rough> rough_;
+    Vector<uint8_t> near_;     ///< by Bullet's world array index: may break, or touches what may
+    Vector<Motion> received_;  ///< per body: impulse, and moment about its centre of mass
+    Vector<Motion> before_;    ///< per body
+    Vector<btTransform> posesBefore_;  ///< per body; the impulses acted there
+    Vector<uint32_t> touched_;         ///< bodies whose velocity the last undo changed
     float dt_ = 0;
     bool inStep_ = false;
-    std::vector<uint32_t> localOf_;    ///< by Bullet's world array index
-    std::vector<uint32_t> firstLink_;  ///< per body, into links_
-    std::vector<uint32_t> links_;      ///< pairs
-    std::vector<size_t> queue_;        ///< pairs whose bodies are still to be spread from
+    Vector<uint32_t> localOf_;    ///< by Bullet's world array index
+    Vector<uint32_t> firstLink_;  ///< per body, into links_
+    Vector<uint32_t> links_;      ///< pairs
+    Vector<size_t> queue_;        ///< pairs whose bodies are still to be spread from
 };
 
 /// Velocity of a body's material at a world point; zero for what is not a rigid body.

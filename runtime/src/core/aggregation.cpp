@@ -26,7 +26,7 @@ void Aggregation::reserve(size_t nodes, size_t edges) {
 // Y. Notay, "An aggregation-based algebraic multigrid method", ETNA 37 (2010): matching along the
 // strongest couplings; twice gives aggregates of four. Nodes left over join their strongest
 // neighbour's pair instead of staying alone.
-uint32_t Aggregation::pairUp(const ElasticNetwork& network, std::vector<uint32_t>& aggregateOf) {
+uint32_t Aggregation::pairUp(const ElasticNetwork& network, Vector<uint32_t>& aggregateOf) {
     const uint32_t count = network.nodeCount();
     firstNeighbor_.assign(size_t(count) + 2, 0);
     const auto forEachSide = [&](const auto& visit) {

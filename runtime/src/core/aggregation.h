@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "core/elastic_network.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -17,7 +17,7 @@ class Aggregation {
 
     /// Gives every node an aggregate of two or three that hold together best, one of its own where
     /// it has no neighbour. Returns how many there are.
-    uint32_t pairUp(const ElasticNetwork& network, std::vector<uint32_t>& aggregateOf);
+    uint32_t pairUp(const ElasticNetwork& network, Vector<uint32_t>& aggregateOf);
 
     /// The network of aggregates that are rigid: P^T K P with the rigid motions of each as P. All
     /// edges between two become one, at their middle.
@@ -32,10 +32,10 @@ class Aggregation {
         uint32_t node;
         double weight;
     };
-    std::vector<Crossing> crossings_;
-    std::vector<uint32_t> counts_;
-    std::vector<uint32_t> firstNeighbor_;
-    std::vector<Neighbor> neighbors_;
+    Vector<Crossing> crossings_;
+    Vector<uint32_t> counts_;
+    Vector<uint32_t> firstNeighbor_;
+    Vector<Neighbor> neighbors_;
 };
 
 }  // namespace sherd

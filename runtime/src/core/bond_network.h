@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "core/aggregation.h"
 #include "core/elastic_network.h"
+#include "sherd/runtime/memory.h"
 #include "sherd/runtime/structure.h"
 
 namespace sherd {
@@ -49,14 +49,14 @@ class BondNetwork {
     ElasticNetwork network_;
     ElasticNetwork single_;  ///< one edge per link, then one per pin
     double unit_ = 1;
-    std::vector<uint32_t> fragments_;
-    std::vector<uint32_t> nodeOf_;  ///< per fragment of the asset
-    std::vector<Link> links_;
+    Vector<uint32_t> fragments_;
+    Vector<uint32_t> nodeOf_;  ///< per fragment of the asset
+    Vector<Link> links_;
     struct Pin {
         uint32_t node, leaf;
     };
-    std::vector<Pin> pins_;
-    std::vector<uint32_t> parent_;  ///< a forest over the nodes and, last, the ground
+    Vector<Pin> pins_;
+    Vector<uint32_t> parent_;  ///< a forest over the nodes and, last, the ground
     Aggregation aggregation_;
 };
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "sherd/runtime/damage.h"
+#include "sherd/runtime/memory.h"
 #include "sherd/runtime/structure.h"
 
 namespace sherd {
@@ -44,10 +44,10 @@ class IslandMerger {
     [[nodiscard]] uint32_t neighbourOf(uint32_t group, bool alsoGrown);
     void closeOpened(Structure& structure, uint32_t most, HitResult& hit);
 
-    std::vector<Group> groups_;
-    std::vector<uint32_t> groupOf_;  ///< per fragment of the asset
-    std::vector<Shared> shared_;
-    std::vector<uint32_t> order_;
+    Vector<Group> groups_;
+    Vector<uint32_t> groupOf_;  ///< per fragment of the asset
+    Vector<Shared> shared_;
+    Vector<uint32_t> order_;
     uint32_t count_ = 0;  ///< of groups left
 };
 

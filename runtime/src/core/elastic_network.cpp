@@ -94,7 +94,7 @@ void subtractProduct(const ElasticNetwork& network, std::span<const Screw> x, st
     }
 }
 
-void invertDiagonal(const ElasticNetwork& network, std::vector<Stiffness>& inverse) {
+void invertDiagonal(const ElasticNetwork& network, Vector<Stiffness>& inverse) {
     inverse.assign(network.nodeCount(), {});
     for (const ElasticNetwork::Edge& edge : network.edges) {
         inverse[edge.a] += stiffnessFrom(edge.stiffness, edge.armA);

@@ -6,7 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <span>
-#include <vector>
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -58,8 +58,8 @@ struct ElasticNetwork {
         Stiffness stiffness;              ///< there
     };
 
-    std::vector<glm::dvec3> centers;
-    std::vector<Edge> edges;
+    Vector<glm::dvec3> centers;
+    Vector<Edge> edges;
 
     [[nodiscard]] uint32_t nodeCount() const { return uint32_t(centers.size()); }
     /// Where the nodes of an edge meet.
@@ -75,7 +75,7 @@ void multiply(const ElasticNetwork& network, std::span<const Screw> x, std::span
 void subtractProduct(const ElasticNetwork& network, std::span<const Screw> x, std::span<Screw> r);
 
 /// The inverses of K's diagonal 6 x 6 blocks, made for `network`.
-void invertDiagonal(const ElasticNetwork& network, std::vector<Stiffness>& inverse);
+void invertDiagonal(const ElasticNetwork& network, Vector<Stiffness>& inverse);
 
 /// Adds K to a dense matrix, row by row; lower triangle only.
 void addDense(const ElasticNetwork& network, double* m);

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "core/elastic_network.h"
 #include "core/multigrid.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -49,7 +49,7 @@ class Equilibrium {
     double loadNorm_ = 0;
     double energy_ = 0;  ///< of the last iteration: residual . preconditioned residual; 0: none
     double stride_ = 0;  ///< along the last direction
-    std::vector<Screw> load_, motion_, rest_, preconditioned_, direction_, product_;
+    Vector<Screw> load_, motion_, rest_, preconditioned_, direction_, product_;
 };
 
 }  // namespace sherd

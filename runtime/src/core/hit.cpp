@@ -32,14 +32,14 @@ struct Crossing {
 }  // namespace
 
 struct HitSolver::Scratch {
-    std::vector<Seam> seams;      ///< that fail at this stress
-    std::vector<uint32_t> bonds;  ///< of the seams
+    Vector<Seam> seams;      ///< that fail at this stress
+    Vector<uint32_t> bonds;  ///< of the seams
     /// Of every seam the factor from which it breaks, a heap: the least in front.
-    std::vector<std::pair<double, uint32_t>> needs;
-    std::vector<Crossing> crossings;
-    std::vector<uint32_t> front;  ///< fragments reached, in that order
+    Vector<std::pair<double, uint32_t>> needs;
+    Vector<Crossing> crossings;
+    Vector<uint32_t> front;  ///< fragments reached, in that order
     /// Per fragment: the round in which it was reached, and the one in which its seams were found.
-    std::vector<uint32_t> reached, done;
+    Vector<uint32_t> reached, done;
     uint32_t round = 0;
 
     void nextRound(uint32_t fragments) {

@@ -30,7 +30,7 @@ Asset::Box boxAt(const Asset& asset, uint32_t fragment, const RigidPose& pose) {
 uint32_t IslandWorld::pinInBox(uint32_t index, const glm::vec3& low, const glm::vec3& high) {
     const Asset& asset = *objects_[index].asset;
     const BondGraph& graph = asset.graph();
-    std::vector<uint32_t> found;
+    Vector<uint32_t> found;
     for (const uint32_t i : objects_[index].islands)
         for (const uint32_t fragment : islands_[i].fragments) {
             const Range leaves = graph.leavesOf(fragment);

@@ -90,7 +90,7 @@ uint32_t IslandWorld::dealTo(uint32_t index, const AreaDamage& damage, const glm
 
 uint32_t IslandWorld::dealArea(uint32_t objectIndex, const AreaDamage& damage) {
     uint32_t broken = 0;
-    const std::vector<uint32_t> islands = objects_[objectIndex].islands;
+    const Vector<uint32_t> islands = objects_[objectIndex].islands;
     for (const uint32_t index : islands) {
         const RigidPose objectToWorld = bodies_.motion(index).pose * inverse(islands_[index].frame);
         broken += dealTo(index, seenFrom(objectToWorld, damage), damage.a, true);
@@ -113,7 +113,7 @@ void IslandWorld::breakAll(uint32_t object) {
     everything.radius = std::numeric_limits<float>::max();
     everything.falloff = 0;
     // In its own frame: seen from the world an object may be too far away for any radius.
-    const std::vector<uint32_t> islands = objects_[object].islands;
+    const Vector<uint32_t> islands = objects_[object].islands;
     for (const uint32_t island : islands)
         dealTo(island, everything, islands_[island].pose.translation, false);
 }
@@ -121,14 +121,14 @@ void IslandWorld::breakAll(uint32_t object) {
 void IslandWorld::pin(uint32_t index, std::span<const uint32_t> leaves, bool pinned) {
     for (const uint32_t leaf : leaves) objects_[index].structure->pin(leaf, pinned);
     hit_.clear();
-    const std::vector<uint32_t> islands = objects_[index].islands;
+    const Vector<uint32_t> islands = objects_[index].islands;
     for (const uint32_t island : islands) settle(island, 0, {}, false);
 }
 
 bool IslandWorld::pinFragment(uint32_t object, uint32_t fragment, bool pinned) {
     if (findIsland(object, fragment) == UINT32_MAX) return false;
     const Range leaves = objects_[object].structure->graph().leavesOf(fragment);
-    std::vector<uint32_t> list;
+    Vector<uint32_t> list;
     for (uint32_t l = 0; l < leaves.count; ++l) list.push_back(leaves.first + l);
     pin(object, list, pinned);
     return true;

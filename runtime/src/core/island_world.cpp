@@ -145,7 +145,7 @@ void IslandWorld::create(IslandBody body, const RigidPose* bodyPose) {
 IslandWorld::Change IslandWorld::regroup(uint32_t index, bool isLimited) {
     Island& island = islands_[index];
     const Structure& structure = *objects_[island.object].structure;
-    std::vector<uint32_t>& fragments = island.fragments;
+    Vector<uint32_t>& fragments = island.fragments;
     change_ = Change::none;
     for (size_t i = 0; i < fragments.size();) {
         if (structure.stands(fragments[i])) {
@@ -171,7 +171,7 @@ void IslandWorld::keepToBudget(uint32_t index) {
     Structure& structure = *objects_[islands_[index].object].structure;
     if (!merger_->limit(structure, groups_, allowed + 1, hit_)) return;
     // Some may have been closed again.
-    std::vector<uint32_t>& fragments = islands_[index].fragments;
+    Vector<uint32_t>& fragments = islands_[index].fragments;
     for (uint32_t& fragment : fragments)
         fragment = structure.fragmentAt(structure.graph().leavesOf(fragment).first);
     std::sort(fragments.begin(), fragments.end());
@@ -247,7 +247,7 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
         for (const uint32_t i : split_) strain(i);
         poses_.noteRegrouped(kept.object);
 
-        std::vector<uint32_t>& islands = objects_[kept.object].islands;
+        Vector<uint32_t>& islands = objects_[kept.object].islands;
         islands.insert(islands.end(), split_.begin() + 1, split_.end());
         std::sort(islands.begin(), islands.end(), [&](uint32_t x, uint32_t y) {
             return islands_[x].fragments.front() < islands_[y].fragments.front();
@@ -262,8 +262,7 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
     return split_;
 }
 
-void IslandWorld::replace(uint32_t index, Structure&& structure,
-                          std::vector<SavedIsland>&& islands) {
+void IslandWorld::replace(uint32_t index, Structure&& structure, Vector<SavedIsland>&& islands) {
     Object& object = objects_[index];
     removeIslands(index);
     *object.structure = std::move(structure);
@@ -312,7 +311,7 @@ ObjectId IslandWorld::idOf(uint32_t object) const {
 
 uint32_t IslandWorld::findIsland(uint32_t object, uint32_t fragment) const {
     for (const uint32_t island : objects_[object].islands) {
-        const std::vector<uint32_t>& fragments = islands_[island].fragments;
+        const Vector<uint32_t>& fragments = islands_[island].fragments;
         if (std::binary_search(fragments.begin(), fragments.end(), fragment)) return island;
     }
     return UINT32_MAX;

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "core/aggregation.h"
 #include "core/elastic_network.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -25,12 +25,12 @@ class Multigrid {
   private:
     struct Level {
         const ElasticNetwork* network = nullptr;
-        ElasticNetwork own;                 ///< of the coarse levels
-        std::vector<Stiffness> inverse;     ///< of the diagonal blocks
-        std::vector<uint32_t> aggregateOf;  ///< per node, a node of the next level
-        std::vector<Screw> rest;
+        ElasticNetwork own;            ///< of the coarse levels
+        Vector<Stiffness> inverse;     ///< of the diagonal blocks
+        Vector<uint32_t> aggregateOf;  ///< per node, a node of the next level
+        Vector<Screw> rest;
         // Of the coarse levels: what is to be solved there, and the two steps that do.
-        std::vector<Screw> load, motion, first, firstProduct, second, secondProduct;
+        Vector<Screw> load, motion, first, firstProduct, second, secondProduct;
     };
     enum class Stage { diagonal, pairs, fours, ready };
 
@@ -44,14 +44,14 @@ class Multigrid {
     void restrictTo(uint32_t l);
     void prolongFrom(uint32_t l, std::span<Screw> z) const;
 
-    std::vector<Level> levels_;
+    Vector<Level> levels_;
     uint32_t levelCount_ = 0;
     Stage stage_ = Stage::diagonal;
-    std::vector<double> factor_;  ///< of the coarsest level where it is small, else empty
-    std::vector<double> dense_;
+    Vector<double> factor_;  ///< of the coarsest level where it is small, else empty
+    Vector<double> dense_;
     Aggregation aggregation_;
     ElasticNetwork pairs_;
-    std::vector<uint32_t> pairOf_;
+    Vector<uint32_t> pairOf_;
 };
 
 }  // namespace sherd

@@ -82,7 +82,7 @@ const char* whyRefused(const SavedObject& saved) {
     IslandFinder groups;
     std::vector<uint8_t> seen(asset.fragmentCount(), 0);
     for (const IslandWorld::SavedIsland& island : saved.islands) {
-        const std::vector<uint32_t>& fragments = island.fragments;
+        const Vector<uint32_t>& fragments = island.fragments;
         if (!isSound(island)) return "the numbers of an island or its body are none";
         if (fragments.empty() || !std::is_sorted(fragments.begin(), fragments.end()))
             return "an island's fragments are not in order";

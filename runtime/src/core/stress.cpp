@@ -79,13 +79,13 @@ struct StressSolver::State {
     BondNetwork bonds;
     Equilibrium equilibrium;
     glm::dvec3 gravity{0.0};
-    std::vector<Body> bodies;      ///< per node
-    std::vector<Screw> forces;     ///< per node, N and N m about its centre
-    std::vector<Screw> load;       ///< per node, in the network's units
-    std::vector<Carried> carried;  ///< per link
-    std::vector<uint32_t> linkOf;  ///< per bond of the asset
-    std::vector<OverloadedBond> overloaded;
-    std::vector<Known> known;  ///< of the structure before, by fragment
+    Vector<Body> bodies;      ///< per node
+    Vector<Screw> forces;     ///< per node, N and N m about its centre
+    Vector<Screw> load;       ///< per node, in the network's units
+    Vector<Carried> carried;  ///< per link
+    Vector<uint32_t> linkOf;  ///< per bond of the asset
+    Vector<OverloadedBond> overloaded;
+    Vector<Known> known;  ///< of the structure before, by fragment
     bool loadChanged = false;
     bool isEvaluated = false;
 
@@ -266,7 +266,7 @@ std::span<const OverloadedBond> StressSolver::overloaded() const {
 }
 
 bool breakOverloaded(Structure& structure, const StressSolver& solver, uint32_t maxBonds,
-                     std::vector<uint32_t>& broken) {
+                     Vector<uint32_t>& broken) {
     broken.clear();
     for (const OverloadedBond& worst : solver.overloaded()) {
         if (broken.size() >= maxBonds) break;

@@ -73,7 +73,7 @@ void Structure::close(uint32_t fragment) {
     if (isDamaged()) std::fill_n(standing_.begin() + leaves.first, leaves.count, fragment);
 }
 
-void Structure::openDownTo(uint32_t fragment, std::vector<uint32_t>& opened) {
+void Structure::openDownTo(uint32_t fragment, Vector<uint32_t>& opened) {
     const uint32_t leaf = graph().leavesOf(fragment).first;
     for (;;) {
         const uint32_t standing = fragmentAt(leaf);

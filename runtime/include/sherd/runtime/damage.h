@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
-#include <vector>
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -58,12 +58,12 @@ struct Hit {
 };
 
 struct HitResult {
-    float consumed = 0;            ///< J
-    float area = 0;                ///< of the bonds broken, m^2
-    uint32_t level = 0;            ///< the deepest at which something broke
-    uint32_t struck = 0;           ///< the standing fragment at the point now
-    std::vector<uint32_t> bonds;   ///< broken now
-    std::vector<uint32_t> opened;  ///< fragments their children stand for now, coarse ones first
+    float consumed = 0;       ///< J
+    float area = 0;           ///< of the bonds broken, m^2
+    uint32_t level = 0;       ///< the deepest at which something broke
+    uint32_t struck = 0;      ///< the standing fragment at the point now
+    Vector<uint32_t> bonds;   ///< broken now
+    Vector<uint32_t> opened;  ///< fragments their children stand for now, coarse ones first
 
     void clear() {
         consumed = area = 0;

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -25,7 +25,7 @@ class EventList {
 
   private:
     uint32_t most_;
-    std::vector<Event> pending_, taken_;
+    Vector<Event> pending_, taken_;
 };
 
 }  // namespace sherd

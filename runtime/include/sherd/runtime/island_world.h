@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "sherd/runtime/area_damage.h"
 #include "sherd/runtime/asset.h"
@@ -16,6 +15,7 @@
 #include "sherd/runtime/debris.h"
 #include "sherd/runtime/event_list.h"
 #include "sherd/runtime/events.h"
+#include "sherd/runtime/memory.h"
 #include "sherd/runtime/pose_list.h"
 #include "sherd/runtime/stress.h"
 #include "sherd/runtime/structure.h"
@@ -91,7 +91,7 @@ class IslandWorld {
         bool isFixed = false;
         bool isAnchored = false;  ///< by a bond to the world that is not broken, or a pin
         uint32_t object = 0;
-        std::vector<uint32_t> fragments;         ///< that stand, ascending
+        Vector<uint32_t> fragments;              ///< that stand, ascending
         RigidPose frame;                         ///< body to object
         double bornAt = 0;                       ///< s
         RigidPose pose, previous;                ///< of the object's frame, now and a substep ago
@@ -112,8 +112,8 @@ class IslandWorld {
         std::unique_ptr<Structure> structure;
         uint32_t generation = 0;
         DamageOptions damage;
-        std::vector<Load> loads;
-        std::vector<uint32_t> islands;   ///< ascending by their first fragment
+        Vector<Load> loads;
+        Vector<uint32_t> islands;        ///< ascending by their first fragment
         uint32_t heaviest = UINT32_MAX;  ///< of them; UINT32_MAX: not known
     };
 
@@ -204,7 +204,7 @@ class IslandWorld {
 
     /// One island as another world had it.
     struct SavedIsland {
-        std::vector<uint32_t> fragments;  ///< ascending
+        Vector<uint32_t> fragments;  ///< ascending
         bool isFixed = false, isAnchored = false;
         double bornAt = 0;
         double fadingSince = HUGE_VAL;
@@ -212,7 +212,7 @@ class IslandWorld {
         BodyMotion motion;         ///< of its body, which is put there to the bit
     };
     /// In place of what the object was. Fires nothing. The islands must share out what stands.
-    void replace(uint32_t object, Structure&& structure, std::vector<SavedIsland>&& islands);
+    void replace(uint32_t object, Structure&& structure, Vector<SavedIsland>&& islands);
 
     std::span<const BreakEvent> takeEvents() { return breaks_.take(); }
     std::span<const ImpactEvent> takeImpacts() { return impacts_.take(); }
@@ -276,17 +276,17 @@ class IslandWorld {
     EventList<RemovalEvent> removals_;
     double time_ = 0;
     float leastEnergy_ = HUGE_VALF;
-    std::vector<Object> objects_;
-    std::vector<uint32_t> freeObjects_;
-    std::vector<Island> islands_;
-    std::vector<uint32_t> freeIslands_;
+    Vector<Object> objects_;
+    Vector<uint32_t> freeObjects_;
+    Vector<Island> islands_;
+    Vector<uint32_t> freeIslands_;
     uint32_t islandCount_ = 0;
 
     HitSolver solver_;
     HitResult hit_;
     IslandFinder groups_;  ///< of the island regrouped last
     Change change_ = Change::none;
-    std::vector<uint32_t> split_;
+    Vector<uint32_t> split_;
     struct Budget {
         uint32_t bodies = UINT32_MAX, awake = UINT32_MAX;
     };
@@ -296,14 +296,14 @@ class IslandWorld {
     StressSolver stress_;
     uint32_t stressed_ = UINT32_MAX;  ///< the island that is solved now
     bool isStressNew_ = false;        ///< it has changed since
-    std::vector<uint32_t> strained_;  ///< islands whose bonds carry something else than they did
+    Vector<uint32_t> strained_;       ///< islands whose bonds carry something else than they did
     uint32_t stressedObject_ = UINT32_MAX;
     std::optional<Structure> probe_;  ///< of the object solved, as if what is loaded were opened
-    std::vector<uint32_t> parts_;
+    Vector<uint32_t> parts_;
 
     PoseList poses_;
     float fade_ = 1;
-    std::vector<uint32_t> fading_;  ///< islands
+    Vector<uint32_t> fading_;  ///< islands
 };
 
 }  // namespace sherd

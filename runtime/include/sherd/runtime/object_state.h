@@ -13,7 +13,7 @@ namespace sherd {
 struct SavedObject {
     double savedAt = 0;  ///< s, by the clock of the world it was saved from
     Structure structure;
-    std::vector<IslandWorld::SavedIsland> islands;
+    Vector<IslandWorld::SavedIsland> islands;
     uint32_t engine = 0;                   ///< whose bytes; 0: there are none
     std::span<const uint8_t> engineBytes;  ///< among those that were read
 };

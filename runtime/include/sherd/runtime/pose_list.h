@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "sherd/runtime/events.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -30,14 +30,14 @@ class PoseList {
     void append(const IslandWorld& world, uint32_t object);
     void noteChange(size_t first, size_t end);
 
-    std::vector<FragmentPose> poses_;
-    std::vector<uint32_t> islandOf_;  ///< per pose
-    std::vector<size_t> firstOf_;     ///< per object, and the end
-    uint32_t listed_ = 0;             ///< objects from here on are not listed rightly
-    std::vector<uint32_t> moved_;     ///< objects
-    std::vector<uint8_t> isMoved_;    ///< per object
-    std::vector<std::pair<uint32_t, uint32_t>> members_;  ///< fragment and island, of one object
-    std::vector<Range> changes_, taken_;
+    Vector<FragmentPose> poses_;
+    Vector<uint32_t> islandOf_;  ///< per pose
+    Vector<size_t> firstOf_;     ///< per object, and the end
+    uint32_t listed_ = 0;        ///< objects from here on are not listed rightly
+    Vector<uint32_t> moved_;     ///< objects
+    Vector<uint8_t> isMoved_;    ///< per object
+    Vector<std::pair<uint32_t, uint32_t>> members_;  ///< fragment and island, of one object
+    Vector<Range> changes_, taken_;
 };
 
 }  // namespace sherd

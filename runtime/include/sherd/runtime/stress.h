@@ -5,9 +5,9 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "sherd/runtime/damage.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -83,6 +83,6 @@ class StressSolver {
 /// Breaks the worst of the overloaded bonds, so many at most: a crack leads the load elsewhere, so
 /// solve again before more. `broken` is what broke now. Returns whether anything did.
 bool breakOverloaded(Structure& structure, const StressSolver& solver, uint32_t maxBonds,
-                     std::vector<uint32_t>& broken);
+                     Vector<uint32_t>& broken);
 
 }  // namespace sherd

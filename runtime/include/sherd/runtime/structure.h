@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "sherd/runtime/asset.h"
+#include "sherd/runtime/memory.h"
 
 namespace sherd {
 
@@ -51,7 +51,7 @@ class Structure {
     void open(uint32_t fragment);
     /// Opens what stands for a divided fragment, the coarsest first, and the fragment itself.
     /// Appends those opened.
-    void openDownTo(uint32_t fragment, std::vector<uint32_t>& opened);
+    void openDownTo(uint32_t fragment, Vector<uint32_t>& opened);
     /// Puts a fragment back in the place of all that has come out of it.
     void close(uint32_t fragment);
 
@@ -66,10 +66,10 @@ class Structure {
     void prepare();
 
     std::shared_ptr<const Asset> asset_;
-    std::vector<uint32_t> standing_;  ///< per leaf
-    std::vector<float> lost_;         ///< per bond
-    std::vector<uint8_t> pins_;       ///< per leaf
-    std::vector<uint8_t> gone_;       ///< per leaf
+    Vector<uint32_t> standing_;  ///< per leaf
+    Vector<float> lost_;         ///< per bond
+    Vector<uint8_t> pins_;       ///< per leaf
+    Vector<uint8_t> gone_;       ///< per leaf
 };
 
 /// The connected groups that standing fragments form. Keeps its memory from one search to the next.
@@ -94,11 +94,11 @@ class IslandFinder {
   private:
     void flood(const Structure& structure, uint32_t start, uint32_t sought);
 
-    std::vector<Island> islands_;
-    std::vector<uint32_t> fragments_;
-    std::vector<uint32_t> front_;  ///< those reached, in that order
-    std::vector<uint32_t> state_;  ///< per fragment of the asset: the round it is sought, or found
-    std::vector<uint32_t> label_;  ///< and the island it was found in
+    Vector<Island> islands_;
+    Vector<uint32_t> fragments_;
+    Vector<uint32_t> front_;  ///< those reached, in that order
+    Vector<uint32_t> state_;  ///< per fragment of the asset: the round it is sought, or found
+    Vector<uint32_t> label_;  ///< and the island it was found in
     uint32_t round_ = 0;
 };
 

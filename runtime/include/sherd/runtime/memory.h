@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <memory_resource>
+#include <type_traits>
+#include <vector>
+
+namespace sherd {
+
+/// Where containers that are made now, on this thread, get their memory from: the heap, or what the
+/// innermost MemoryScope says.
+std::pmr::memory_resource& currentMemory();
+
+/// While it lives, containers made on this thread get their memory from `memory`, which must
+/// outlive them; they go on doing so ever after.
+class MemoryScope {
+  public:
+    explicit MemoryScope(std::pmr::memory_resource& memory);
+    ~MemoryScope();
+    MemoryScope(const MemoryScope&) = delete;
+    MemoryScope& operator=(const MemoryScope&) = delete;
+
+  private:
+    std::pmr::memory_resource* before_;
+};
+
+/// An allocator that needs no mention where containers lie in containers: it takes what is current
+/// when a container is made.
+template <class T>
+class Allocator {
+  public:
+    using value_type = T;
+    using propagate_on_container_move_assignment = std::true_type;
+    using propagate_on_container_swap = std::true_type;
+
+    Allocator() : memory_(&currentMemory()) {}
+    template <class U>
+    // NOLINTNEXTLINE(google-explicit-constructor): containers convert it for what they hold
+    Allocator(const Allocator<U>& other) : memory_(&other.memory()) {}
+
+    T* allocate(size_t count) {
+        return static_cast<T*>(memory_->allocate(count * sizeof(T), alignof(T)));
+    }
+    void deallocate(T* items, size_t count) {
+        memory_->deallocate(items, count * sizeof(T), alignof(T));
+    }
+    /// A copy is a container made now.
+    [[nodiscard]] Allocator select_on_container_copy_construction() const { return {}; }
+
+    [[nodiscard]] std::pmr::memory_resource& memory() const { return *memory_; }
+    friend bool operator==(const Allocator& a, const Allocator& b) {
+        return a.memory_ == b.memory_;
+    }
+
+  private:
+    std::pmr::memory_resource* memory_;
+};
+
+template <class T>
+using Vector = std::vector<T, Allocator<T>>;
+
+}  // namespace sherd
