@@ -207,14 +207,31 @@ uint32_t BallTree::shrinkBySome(Query& query, const std::array<uint32_t, kWidth>
     return last;
 }
 
-/// From a triangle on to whichever beside it shrinks the ball further.
+/// To the ball through the triangle's middle: a first guess, better than the largest ball allowed.
+void BallTree::shrinkToMiddle(Query& query, uint32_t triangle) const {
+    const auto pointOf = [](const Lanes& row) {
+        return glm::vec3(row.at[0], row.at[1], row.at[2]);
+    };
+    const BallNodes::Triangle& t = nodes_.triangles[triangle];
+    const glm::vec3 d = query.p - pointOf(t.a) - (pointOf(t.ab) + pointOf(t.ac)) / 3.0F;
+    const float height = glm::dot(d, query.n), length2 = glm::dot(d, d);
+    if (!(height > 0) || height * height < sinHalf_ * sinHalf_ * length2) return;
+    const float radius = length2 / (2 * height);
+    if (!(radius < query.radius)) return;
+    query.shrinkTo(radius);
+    query.contact = triangle;
+}
+
+/// From a triangle on to whichever beside it shrinks the ball further. No triangle is nearer than
+/// its plane: most that balls beside touch are so known to be out of reach.
 void BallTree::follow(Query& query, uint32_t triangle) const {
     constexpr int kMaxSteps = 64;
+    shrinkToMiddle(query, triangle);
     for (int step = 0; step < kMaxSteps && !query.isNone(); ++step) {
-        std::array<uint32_t, kWidth> members{triangle, triangle, triangle, triangle};
-        for (size_t k = 0; k < 3; ++k)
-            if (nodes_.beside[triangle][k] != kNone) members[k + 1] = nodes_.beside[triangle][k];
-        const uint32_t next = shrinkBySome(query, members);
+        const BallNodes::Fan& fan = nodes_.fans[triangle];
+        const Four height = dot(loaded(fan.normal), fourTimes(query.centre)) - loaded(fan.offset);
+        if (!xsimd::any(xsimd::abs(height) < Four(query.reach))) return;
+        const uint32_t next = shrinkBySome(query, fan.members);
         if (next == kNone || next == triangle) return;
         triangle = next;
     }

@@ -55,6 +55,7 @@ class BallTree {
     Lanes childrenMet(const Query& query, const BallNodes::Node& node) const;
     void shrinkByLeaf(Query& query, uint32_t leaf) const;
     uint32_t shrinkBySome(Query& query, const std::array<uint32_t, 4>& triangles) const;
+    void shrinkToMiddle(Query& query, uint32_t triangle) const;
     void follow(Query& query, uint32_t triangle) const;
     Ball settled(Query& query) const;
 

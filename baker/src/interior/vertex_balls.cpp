@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "geometry/parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {
@@ -17,6 +17,15 @@ using Ball = BallTree::Ball;
 using Tangent = BallTree::Tangent;
 
 constexpr size_t kChunk = 256;
+constexpr size_t kSearches = 64;  // take longer
+
+/// Neighbours mostly touch the same few places. Of a hub's thousands of neighbours only the last
+/// are compared.
+void addOnce(uint32_t contact, std::vector<uint32_t>& contacts) {
+    constexpr std::ptrdiff_t kLook = 16;
+    const auto from = contacts.end() - std::min(kLook, std::ssize(contacts));
+    if (std::find(from, contacts.end(), contact) == contacts.end()) contacts.push_back(contact);
+}
 
 class VertexBalls {
   public:
@@ -59,7 +68,7 @@ class VertexBalls {
 
   private:
     void search(const std::vector<uint32_t>& vertices) {
-        parallelRuns(vertices.size(), kChunk, threads_, [&](size_t first, size_t last) {
+        parallelRuns(vertices.size(), kSearches, threads_, [&](size_t first, size_t last) {
             uint32_t near = BallTree::kNone;
             for (size_t i = first; i < last; ++i) {
                 const uint32_t v = vertices[i];
@@ -154,9 +163,7 @@ class VertexBalls {
                 contacts.clear();
                 for (const uint32_t u : rings_.of(v))
                     if (known_[u] >= kLearned && changedAt_[u] >= learnedAt_[v])
-                        contacts.push_back(balls_[u].contact);
-                std::sort(contacts.begin(), contacts.end());
-                contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+                        addOnce(balls_[u].contact, contacts);
                 learned_[i] =
                     contacts.empty() ? balls_[v] : tree_.beside(tangents_[v], balls_[v], contacts);
             }
@@ -193,17 +200,22 @@ std::vector<Ball> vertexBalls(const BallTree& tree,
                               std::span<const std::array<uint32_t, 3>> triangles,
                               std::span<const Tangent> tangents, const VertexRings& rings,
                               float maxRadius, unsigned threads) {
-    std::vector<uint32_t> order;
-    order.reserve(tangents.size());
-    std::vector<uint8_t> taken(tangents.size(), 0);
+    std::vector<uint8_t> taken(tangents.size());
+    for (size_t v = 0; v < taken.size(); ++v) {
+        const glm::vec3& n = tangents[v].normal;
+        taken[v] = glm::dot(n, n) > 0 ? 0 : 1;
+    }
+    // Without branches: whether a vertex comes for the first time is hard to guess.
+    std::vector<uint32_t> order(tangents.size() + 1);
+    size_t count = 0;
     for (const uint32_t t : tree.order()) {
         for (const uint32_t v : triangles[t]) {
-            const glm::vec3& n = tangents[v].normal;
-            if (taken[v] != 0 || !(glm::dot(n, n) > 0)) continue;
+            order[count] = v;
+            count += taken[v] ^ 1U;
             taken[v] = 1;
-            order.push_back(v);
         }
     }
+    order.resize(count);
     return VertexBalls(tree, tangents, rings, maxRadius, threads).run(order);
 }
 
