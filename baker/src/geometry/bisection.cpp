@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "parallel/parallel_for.h"
+
 namespace sherd {
 namespace {
 
@@ -243,7 +245,8 @@ std::vector<uint32_t> bisect(BisectedTriangles& mesh, std::span<const uint8_t> m
     return Bisector(mesh, marked, middle, length2, kept).run();
 }
 
-void sortByParent(BisectedTriangles& mesh) {
+void sortByParent(BisectedTriangles& mesh, unsigned threads) {
+    constexpr size_t kGrain = 4096;
     const auto& before = mesh.triangles;
     uint32_t parents = 0;
     for (const auto& t : before) parents = std::max(parents, t.parent + 1);
@@ -251,17 +254,17 @@ void sortByParent(BisectedTriangles& mesh) {
     for (const auto& t : before) ++next[t.parent + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
     for (uint32_t t = 0; t < before.size(); ++t) order[place[t] = next[before[t].parent]++] = t;
-    std::vector<BisectedTriangles::Triangle> triangles;
-    std::vector<uint32_t> opposite;
-    triangles.reserve(order.size());
-    opposite.reserve(3 * order.size());
-    for (const uint32_t t : order) {
-        triangles.push_back(before[t]);
-        for (size_t k = 0; k < 3; ++k) {
-            const uint32_t o = mesh.opposite[3 * size_t{t} + k];
-            opposite.push_back(o == kNone ? kNone : 3 * place[o / 3] + o % 3);
+    std::vector<BisectedTriangles::Triangle> triangles(order.size());
+    std::vector<uint32_t> opposite(3 * order.size());
+    parallelRuns(order.size(), kGrain, threads, [&](size_t first, size_t last) {
+        for (size_t i = first; i < last; ++i) {
+            triangles[i] = before[order[i]];
+            for (size_t k = 0; k < 3; ++k) {
+                const uint32_t o = mesh.opposite[3 * size_t{order[i]} + k];
+                opposite[3 * i + k] = o == kNone ? kNone : 3 * place[o / 3] + o % 3;
+            }
         }
-    }
+    });
     mesh.triangles = std::move(triangles);
     mesh.opposite = std::move(opposite);
 }

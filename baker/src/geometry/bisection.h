@@ -67,6 +67,6 @@ std::vector<uint32_t> bisect(BisectedTriangles& mesh, std::span<const uint8_t> m
                              std::vector<uint8_t>* kept = nullptr);
 
 /// Brings the triangles into the order of their parents.
-void sortByParent(BisectedTriangles& mesh);
+void sortByParent(BisectedTriangles& mesh, unsigned threads = 1);
 
 }  // namespace sherd

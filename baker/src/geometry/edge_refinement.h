@@ -28,7 +28,7 @@ class EdgeRefinement {
         std::iota(fresh.begin(), fresh.end(), 0U);
         for (int round = 0; round < kMaxRounds && refineOnce(fresh); ++round) {
         }
-        if (mesh_.nodes.size() > parents) sortByParent(mesh_);
+        if (mesh_.nodes.size() > parents) sortByParent(mesh_, threads_);
     }
 
   private:

@@ -20,6 +20,16 @@ constexpr size_t kGrain = 4096;  // triangles
 struct Box {
     glm::vec3 low{kUnbounded}, high{-kUnbounded};
 };
+/// Some triangles: the box around them, and the sum of their normals times twice their areas.
+struct Patch {
+    Box box;
+    glm::vec3 normal{0};
+
+    void add(const Patch& other) {
+        box = {glm::min(box.low, other.box.low), glm::max(box.high, other.box.high)};
+        normal += other.normal;
+    }
+};
 struct Slab {
     glm::vec3 normal{1, 0, 0};
     float low = -kUnbounded, high = kUnbounded;
@@ -85,7 +95,7 @@ class Builder {
         const auto count = static_cast<uint32_t>(triangles_.size());
         if (count == 0) return {};
         result_.nodes.resize(nodesOf(count));
-        boxes_.resize(result_.nodes.size());
+        patches_.resize(result_.nodes.size());
         result_.root = count <= kWidth ? BallNodes::kLeaf : 0;
         if (count > kWidth) build({0, count, 0});
         result_.leaves.resize(leavesOf(count));
@@ -122,8 +132,8 @@ class Builder {
     std::array<Subtree, kWidth> divide(const Subtree& at, unsigned threads, Scratch& scratch);
     void buildBelow(const Subtree& at, Scratch& scratch);
     void describe(const Subtree& at);
-    Box boxOf(Members members) const;
-    Slab slabOf(Members members) const;
+    Patch patchOf(Members members) const;
+    Slab slabOf(Members members, const glm::vec3& normal) const;
     void takeTriangle(size_t i);
     void takeFan(uint32_t i, std::span<const uint32_t> opposite, std::span<const uint32_t> place);
 
@@ -131,7 +141,7 @@ class Builder {
     std::span<const std::array<uint32_t, 3>> triangles_;
     unsigned threads_;
     std::vector<SplitMember> order_;
-    std::vector<Box> boxes_;  ///< per node
+    std::vector<Patch> patches_;  ///< per node
     BallNodes result_;
 };
 
@@ -195,14 +205,15 @@ void Builder::buildBelow(const Subtree& at, Scratch& scratch) {
 void Builder::describe(const Subtree& at) {
     BallNodes::Node& node = result_.nodes[at.root];
     const std::array<uint32_t, kWidth> parts = partsOf(at.count());
-    Box all;
+    Patch all;
     uint32_t first = at.first;
     for (size_t lane = 0; lane < kWidth; ++lane) {
         const Members members = part(first, first + parts[lane]);
         first += parts[lane];
-        const Box box = parts[lane] > kWidth ? boxes_[node.child[lane]] : boxOf(members);
-        all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
-        const Slab slab = slabOf(members);
+        const Patch patch = parts[lane] > kWidth ? patches_[node.child[lane]] : patchOf(members);
+        const Box& box = patch.box;
+        all.add(patch);
+        const Slab slab = slabOf(members, patch.normal);
         const bool isThere = !members.empty();
         setLane(node.centre, lane, isThere ? 0.5F * (box.low + box.high) : glm::vec3(kNowhere));
         // A little more, for what rounding took.
@@ -213,28 +224,24 @@ void Builder::describe(const Subtree& at) {
         node.low.at[lane] = slab.low;
         node.high.at[lane] = slab.high;
     }
-    boxes_[at.root] = all;
+    patches_[at.root] = all;
 }
 
-Box Builder::boxOf(Members members) const {
-    Box box;
+Patch Builder::patchOf(Members members) const {
+    Patch patch;
     for (const SplitMember& m : members) {
-        for (const glm::vec3& q : corners(m.triangle))
-            box = {glm::min(box.low, q), glm::max(box.high, q)};
+        const auto [a, b, c] = corners(m.triangle);
+        patch.add(
+            {{glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))}, glm::cross(b - a, c - a)});
     }
-    return box;
+    return patch;
 }
 
 /// Across the mean normal. Large patches are not flat: theirs is without bounds.
-Slab Builder::slabOf(Members members) const {
+Slab Builder::slabOf(Members members, const glm::vec3& normal) const {
     constexpr size_t kLarge = 512;
     Slab slab;
     if (members.size() > kLarge) return slab;
-    glm::vec3 normal(0.0F);
-    for (const SplitMember& m : members) {
-        const auto [a, b, c] = corners(m.triangle);
-        normal += glm::cross(b - a, c - a);
-    }
     const float length = glm::length(normal);
     if (length > 0) slab.normal = normal / length;
     std::swap(slab.low, slab.high);

@@ -136,19 +136,20 @@ void MedialBuilder::fill() {
         centres_[v] = centres_[covering_[v]];
         known[v] = 1;
     }
-    std::vector<glm::vec4> sums(open.size());  // of known neighbours, and how many
+    std::vector<glm::vec4> means(open.size());  // of known neighbours, if w is not 0
     const auto step = [&] {
         parallelRuns(open.size(), kGrain, options_.threads, [&](size_t first, size_t last) {
             for (size_t i = first; i < last; ++i) {
-                sums[i] = glm::vec4(0.0F);
+                glm::vec4 sum(0.0F);
                 for (const uint32_t u : rings.of(open[i]))
-                    if (known[u] != 0) sums[i] += glm::vec4(centres_[u], 1.0F);
+                    if (known[u] != 0) sum += glm::vec4(centres_[u], 1.0F);
+                means[i] = sum.w > 0 ? sum / sum.w : sum;
             }
         });
         bool grew = false;
         for (size_t i = 0; i < open.size(); ++i) {
-            if (!(sums[i].w > 0)) continue;
-            centres_[open[i]] = glm::vec3(sums[i]) / sums[i].w;
+            if (means[i].w == 0) continue;
+            centres_[open[i]] = glm::vec3(means[i]);
             grew = grew || known[open[i]] == 0;
             known[open[i]] = 1;
         }

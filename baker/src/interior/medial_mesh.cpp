@@ -96,10 +96,15 @@ MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
     SmoothSurface surface = smoothedSurface(mesh, feet, around, corners_, frame_.diagonal, options);
     vertexNormals_ = vertexNormals(surface.facets, corners_, count, options.threads);
     facets_ = std::move(surface.facets);
-    smoothed_.assign(surface.points.begin(), surface.points.end());
+    smoothed_.resize(count);
     tangents_.reserve(room);
-    for (size_t v = 0; v < count; ++v)
-        tangents_.push_back({smoothed_[v], glm::vec3(vertexNormals_[v])});
+    tangents_.resize(count);
+    parallelRuns(count, kGrain, options.threads, [&](size_t first, size_t last) {
+        for (size_t v = first; v < last; ++v) {
+            smoothed_[v] = glm::vec3(surface.points[v]);
+            tangents_[v] = {smoothed_[v], glm::vec3(vertexNormals_[v])};
+        }
+    });
     const double angle = radians(options.separationAngle);
     tree_ = BallTree(smoothed_, mesh.triangles, topology.opposite, angle, options.threads);
     balls_ = vertexBalls(tree_, mesh.triangles, tangents_, around,
@@ -202,7 +207,7 @@ void MedialMesh::refine() {
         for (size_t h = 3 * first; h < 3 * last; ++h)
             if (length2(static_cast<uint32_t>(h)) > shortest * shortest) hasLong[h / 3] = 1;
     });
-    if (std::count(hasLong.begin(), hasLong.end(), 1) == 0) return;
+    if (std::find(hasLong.begin(), hasLong.end(), 1) == hasLong.end()) return;
     normals_ = cornerNormals(facets_, mesh_.triangles, corners_, vertexNormals_, hasLong,
                              radians(options_.separationAngle), options_.threads);
     Refinement refinement{*this};

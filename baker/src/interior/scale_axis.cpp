@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "interior/scale_axis.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "parallel/parallel_for.h"
@@ -26,6 +27,7 @@ std::vector<uint32_t> coveringBalls(std::span<const glm::vec3> centres,
     std::vector<uint8_t> inNext(count, 0);
     struct News {
         uint32_t vertex, ball;  // that covers it better
+        float reach;
     };
     std::vector<std::vector<News>> news;  // chunk by chunk of the front
     for (int round = 0; round < kMaxRounds && !front.empty(); ++round) {
@@ -35,22 +37,26 @@ std::vector<uint32_t> coveringBalls(std::span<const glm::vec3> centres,
             found.clear();
             for (size_t i = first; i < last; ++i) {
                 const uint32_t j = best[front[i]];
-                for (const uint32_t v : rings.of(front[i]))
-                    if (best[v] != j && reach(j, v) > bestReach[v]) found.push_back({v, j});
+                const float most = scale * radii[j];
+                for (const uint32_t v : rings.of(front[i])) {
+                    // Mostly there is no way, which takes no root to tell.
+                    if (best[v] == j || !(most > bestReach[v])) continue;
+                    const float r = reach(j, v);
+                    if (r > bestReach[v]) found.push_back({v, j, r});
+                }
             }
         });
         front.clear();
-        const auto take = [&](uint32_t v, uint32_t j) {
-            const float r = reach(j, v);
-            if (!(r > bestReach[v])) return;
-            best[v] = j;
-            bestReach[v] = r;
+        const auto take = [&](const News& item) {
+            const uint32_t v = item.vertex;
+            if (!(item.reach > bestReach[v])) return;
+            best[v] = item.ball;
+            bestReach[v] = item.reach;
             if (inNext[v] != 0) return;
             inNext[v] = 1;
             front.push_back(v);
         };
-        for (const std::vector<News>& found : news)
-            for (const News& item : found) take(item.vertex, item.ball);
+        for (const std::vector<News>& found : news) std::for_each(found.begin(), found.end(), take);
         for (const uint32_t v : front) inNext[v] = 0;
     }
     // Rounding must not let a ball be covered by its like.

@@ -36,10 +36,10 @@ Facet facetOf(const std::array<glm::dvec3, 3>& p) {
     Facet facet;
     if (!(twiceArea > 0)) return facet;
     facet.normal = cross / twiceArea;
-    for (size_t k = 0; k < 3; ++k) {
-        const glm::dvec3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
-        facet.angles[k] = angleOf(twiceArea, glm::dot(a, b));
-    }
+    const glm::dvec3 ab = p[1] - p[0], ac = p[2] - p[0], bc = p[2] - p[1];
+    facet.angles[0] = angleOf(twiceArea, glm::dot(ab, ac));
+    facet.angles[1] = angleOf(twiceArea, -glm::dot(ab, bc));
+    facet.angles[2] = std::max(0.0, std::numbers::pi - facet.angles[0] - facet.angles[1]);
     return facet;
 }
 
