@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The medial surface on its own: by tangent balls on one thread and on two, beside the Voronoi
-// poles of Qhull. Spheres are the worst case of nearest-neighbour searches: everything is equally
-// far.
+// diagram of the vertices that Qhull makes. Spheres are the worst case of nearest-neighbour
+// searches: everything is equally far.
 //
-// usage: sherd_bench_interior [RUNS]
+// usage: sherd_bench_interior [RUNS [MESH]]
 //
-// Milliseconds of wall time and of CPU time, the smallest of RUNS (5) runs.
+// Milliseconds of wall time and of CPU time, the smallest of RUNS (5) runs; of Qhull alone, and how
+// many times the two threads' it is. MESH: only those whose name holds it.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <string>
+#include <string_view>
 
 #include "baker/interior/shapes.h"
 #include "interior/medial.h"
@@ -46,8 +48,18 @@ Times smallest(int runs, const Work& work) {
     return best;
 }
 
+/// Qhull's share of the medial surface by poles, the smallest of some runs.
+double qhullTime(const SurfaceMesh& mesh, int runs) {
+    double best = HUGE_VAL;
+    for (int i = 0; i < runs; ++i) {
+        const Result<PoleMedialSurface> poles = poleMedialSurface(mesh, {});
+        if (poles) best = std::min(best, 1e3 * poles->qhullSeconds);
+    }
+    return best;
+}
+
 /// Qhull takes minutes for large spheres: there it is left out.
-void row(const std::string& name, const SurfaceMesh& mesh, int runs, bool withPoles = true) {
+void row(const std::string& name, const SurfaceMesh& mesh, int runs, bool withQhull = true) {
     const MeshTopology topology = buildTopology(mesh.positions, mesh.triangles);
     const auto balls = [&](unsigned threads) {
         MedialOptions options;
@@ -58,10 +70,11 @@ void row(const std::string& name, const SurfaceMesh& mesh, int runs, bool withPo
     const auto vertices = static_cast<double>(mesh.positions.size());
     std::printf("%-24s%10zu%12.1f%12.1f%12.1f%14.2f", name.c_str(), mesh.positions.size(), one.wall,
                 two.wall, one.cpu, 1e3 * one.cpu / vertices);
-    if (withPoles) {
-        std::printf("%12.1f\n", smallest(1, [&] { (void)poleMedialSurface(mesh, {}); }).wall);
+    if (withQhull) {
+        const double qhull = qhullTime(mesh, std::min(runs, 3));
+        std::printf("%12.1f%10.1f\n", qhull, qhull / two.wall);
     } else {
-        std::printf("%12s\n", "-");
+        std::printf("%12s%10s\n", "-", "-");
     }
 }
 
@@ -70,13 +83,19 @@ void row(const std::string& name, const SurfaceMesh& mesh, int runs, bool withPo
 int main(int argc, char** argv) {
     sherd::cli::keepFreedMemory();  // as sherd-bake does
     const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
-    std::printf("%-24s%10s%12s%12s%12s%14s%12s\n", "mesh", "vertices", "1 thread", "2 threads",
-                "cpu", "us/vertex", "poles");
+    const std::string_view only = argc > 2 ? argv[2] : "";
+    const auto isWanted = [&](std::string_view name) {
+        return name.find(only) != std::string_view::npos;
+    };
+    std::printf("%-24s%10s%12s%12s%12s%14s%12s%10s\n", "mesh", "vertices", "1 thread", "2 threads",
+                "cpu", "us/vertex", "qhull", "ratio");
     for (const int n : {14, 29, 58, 116}) {
+        if (!isWanted("sphere")) break;
         const SurfaceMesh mesh = sphere({0, 0, 0}, glm::vec3(1), n).mesh();
         row("sphere", mesh, runs, n < 50);
     }
-    for (const uint32_t n : {50U, 100U}) row("torus", torus(2, 0.5F, 4 * n, n).mesh(), runs);
+    for (const uint32_t n : {50U, 100U})
+        if (isWanted("torus")) row("torus", torus(2, 0.5F, 4 * n, n).mesh(), runs);
     if (!haveSharedModels()) {
         std::puts("no real models beside the checkout");
         return 0;
@@ -84,6 +103,7 @@ int main(int argc, char** argv) {
     for (const char* name :
          {"ladder/bunny_10k.glb", "ladder/bunny_40k.glb", "ladder/bunny_100k.glb",
           "ladder/bunny_400k.glb", "dev/skull_41k_atlas.glb"}) {
+        if (!isWanted(name)) continue;
         const Result<Model> model = importModel(sharedDir() / "models" / name, {});
         if (!model) {
             std::fprintf(stderr, "%s: %s\n", name, model.error().message.c_str());

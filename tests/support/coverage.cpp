@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "geometry/inside_test.h"
-#include "geometry/parallel_for.h"
 #include "geometry/triangle_bvh.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "geometry/bounds.h"
 #include "geometry/box_tree.h"
-#include "geometry/parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "physics/collider_separation.h"
 #include "physics/convex_hull.h"
 #include "physics/convex_parts.h"

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "geometry/bounds.h"
-#include "geometry/parallel_for.h"
+#include "parallel/parallel_for.h"
 #include "physics/bonds.h"
 #include "physics/mass_properties.h"
 

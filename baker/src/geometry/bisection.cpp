@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "parallel/parallel_for.h"
+
 namespace sherd {
 namespace {
 
@@ -26,8 +28,9 @@ int longestSide(uint32_t triangle, const std::function<double(uint32_t)>& length
 class Bisector {
   public:
     Bisector(BisectedTriangles& mesh, std::span<const uint8_t> marked,
-             std::span<const uint32_t> middle, const std::function<double(uint32_t)>& length2)
-        : mesh_(mesh), marked_(marked), middle_(middle), length2_(length2) {}
+             std::span<const uint32_t> middle, const std::function<double(uint32_t)>& length2,
+             std::vector<uint8_t>* kept)
+        : mesh_(mesh), marked_(marked), middle_(middle), length2_(length2), kept_(kept) {}
 
     std::vector<uint32_t> run() {
         placeOf_.assign(mesh_.triangles.size(), kNone);
@@ -35,7 +38,7 @@ class Bisector {
             const auto isMarked = [&](uint32_t k) { return marked_[3 * size_t{t} + k] != 0; };
             if (!isMarked(0) && !isMarked(1) && !isMarked(2)) continue;
             placeOf_[t] = static_cast<uint32_t>(cut_.size());
-            cut_.push_back({t, {}, {}});
+            cut_.push_back({t, {}, {}, {}});
         }
         for (Cut& cut : cut_) {
             Piece piece{mesh_.triangles[cut.triangle], {}};
@@ -43,6 +46,7 @@ class Bisector {
                 piece.sides[k] = {3 * cut.triangle + k, Part::whole};
                 cut.opposite[k] = mesh_.opposite[3 * size_t{cut.triangle} + k];
                 cut.halves[k] = {kNone, kNone};
+                if (kept_ != nullptr) cut.kept[k] = (*kept_)[3 * size_t{cut.triangle} + k];
             }
             slot_ = cut.triangle;
             add(piece, longestSide(cut.triangle, length2_));
@@ -66,6 +70,7 @@ class Bisector {
         uint32_t triangle;
         std::array<uint32_t, 3> opposite;               ///< what its sides were glued to
         std::array<std::array<uint32_t, 2>, 3> halves;  ///< what lies on them now
+        std::array<uint8_t, 3> kept;
     };
 
     bool isMarked(const Side& side) const {
@@ -120,6 +125,7 @@ class Bisector {
         mesh_.triangles[t] = piece.triangle;
         made_.push_back(t);
         slot_ = kNone;
+        if (kept_ != nullptr) keep(t, piece.sides);
         for (uint32_t k = 0; k < 3; ++k) {
             const Side& side = piece.sides[k];
             if (side.part == Part::inner) {
@@ -128,6 +134,15 @@ class Bisector {
                 Cut& cut = cut_[placeOf_[side.halfEdge / 3]];
                 cut.halves[side.halfEdge % 3][side.part == Part::second ? 1 : 0] = 3 * t + k;
             }
+        }
+    }
+
+    void keep(uint32_t t, const std::array<Side, 3>& sides) {
+        kept_->resize(3 * mesh_.triangles.size(), 0);
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t h = sides[k].halfEdge;
+            (*kept_)[3 * size_t{t} + k] =
+                sides[k].part == Part::whole ? cut_[placeOf_[h / 3]].kept[h % 3] : 0;
         }
     }
 
@@ -166,6 +181,7 @@ class Bisector {
     std::span<const uint8_t> marked_;
     std::span<const uint32_t> middle_;
     const std::function<double(uint32_t)>& length2_;
+    std::vector<uint8_t>* kept_;
     std::vector<Cut> cut_;
     std::vector<uint32_t> placeOf_;  ///< per old triangle: in cut_
     uint32_t slot_ = kNone;          ///< where the next piece goes; kNone: after all
@@ -208,18 +224,14 @@ BisectedTriangles::Located BisectedTriangles::locate(uint32_t parent,
 }
 
 void closeMarks(const BisectedTriangles& mesh, const std::function<double(uint32_t)>& length2,
-                std::vector<uint8_t>& marked) {
-    std::vector<uint32_t> open;
-    for (uint32_t h = 0; h < marked.size(); ++h)
-        if (marked[h] != 0) open.push_back(h);
+                std::vector<uint32_t>& marks, std::vector<uint8_t>& marked) {
     const auto mark = [&](uint32_t h) {
         if (marked[h] != 0) return;
         marked[h] = 1;
-        open.push_back(h);
+        marks.push_back(h);
     };
-    while (!open.empty()) {
-        const uint32_t h = open.back();
-        open.pop_back();
+    for (size_t i = 0; i < marks.size(); ++i) {
+        const uint32_t h = marks[i];
         if (mesh.opposite[h] != kNone) mark(mesh.opposite[h]);
         const uint32_t t = h / 3;
         mark(3 * t + static_cast<uint32_t>(longestSide(t, length2)));
@@ -228,11 +240,13 @@ void closeMarks(const BisectedTriangles& mesh, const std::function<double(uint32
 
 std::vector<uint32_t> bisect(BisectedTriangles& mesh, std::span<const uint8_t> marked,
                              std::span<const uint32_t> middle,
-                             const std::function<double(uint32_t)>& length2) {
-    return Bisector(mesh, marked, middle, length2).run();
+                             const std::function<double(uint32_t)>& length2,
+                             std::vector<uint8_t>* kept) {
+    return Bisector(mesh, marked, middle, length2, kept).run();
 }
 
-void sortByParent(BisectedTriangles& mesh) {
+void sortByParent(BisectedTriangles& mesh, unsigned threads) {
+    constexpr size_t kGrain = 4096;
     const auto& before = mesh.triangles;
     uint32_t parents = 0;
     for (const auto& t : before) parents = std::max(parents, t.parent + 1);
@@ -240,17 +254,17 @@ void sortByParent(BisectedTriangles& mesh) {
     for (const auto& t : before) ++next[t.parent + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
     for (uint32_t t = 0; t < before.size(); ++t) order[place[t] = next[before[t].parent]++] = t;
-    std::vector<BisectedTriangles::Triangle> triangles;
-    std::vector<uint32_t> opposite;
-    triangles.reserve(order.size());
-    opposite.reserve(3 * order.size());
-    for (const uint32_t t : order) {
-        triangles.push_back(before[t]);
-        for (size_t k = 0; k < 3; ++k) {
-            const uint32_t o = mesh.opposite[3 * size_t{t} + k];
-            opposite.push_back(o == kNone ? kNone : 3 * place[o / 3] + o % 3);
+    std::vector<BisectedTriangles::Triangle> triangles(order.size());
+    std::vector<uint32_t> opposite(3 * order.size());
+    parallelRuns(order.size(), kGrain, threads, [&](size_t first, size_t last) {
+        for (size_t i = first; i < last; ++i) {
+            triangles[i] = before[order[i]];
+            for (size_t k = 0; k < 3; ++k) {
+                const uint32_t o = mesh.opposite[3 * size_t{order[i]} + k];
+                opposite[3 * i + k] = o == kNone ? kNone : 3 * place[o / 3] + o % 3;
+            }
         }
-    }
+    });
     mesh.triangles = std::move(triangles);
     mesh.opposite = std::move(opposite);
 }

@@ -51,19 +51,22 @@ struct BisectedTriangles {
 /// Marks, beside the sides marked already, what lies opposite of them and the longest side of every
 /// triangle that has one marked: so triangles stay in shape. M. C. Rivara, "Algorithms for refining
 /// triangular grids suitable for adaptive and multigrid techniques" (1984). `marked` is per half
-/// edge; length2(halfEdge) is the same from both sides.
+/// edge, `marks` lists those marked, what is added at its end; length2(halfEdge) is the same from
+/// both sides.
 void closeMarks(const BisectedTriangles& mesh,
                 const std::function<double(uint32_t halfEdge)>& length2,
-                std::vector<uint8_t>& marked);
+                std::vector<uint32_t>& marks, std::vector<uint8_t>& marked);
 
 /// Cuts all marked sides in their middle. middle[h] is the new vertex of side h, the same from both
 /// sides; marks must be closed, by the same length. Triangles that are not cut keep their numbers;
-/// returns those that are new.
+/// returns those that are new. `kept`, if given, says something of each half edge: sides that stay
+/// whole keep it, new ones have 0.
 std::vector<uint32_t> bisect(BisectedTriangles& mesh, std::span<const uint8_t> marked,
                              std::span<const uint32_t> middle,
-                             const std::function<double(uint32_t halfEdge)>& length2);
+                             const std::function<double(uint32_t halfEdge)>& length2,
+                             std::vector<uint8_t>* kept = nullptr);
 
 /// Brings the triangles into the order of their parents.
-void sortByParent(BisectedTriangles& mesh);
+void sortByParent(BisectedTriangles& mesh, unsigned threads = 1);
 
 }  // namespace sherd

@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "geometry/four.h"
-#include "geometry/parallel_for.h"
 #include "geometry/ray_crossing.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <thread>
 #include <utility>
 
-#include "geometry/parallel_for.h"
+#include "interior/median_split.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {
@@ -15,23 +15,30 @@ namespace {
 constexpr float kNowhere = 1e18F;  // where the boxes and triangles are that are none
 constexpr float kUnbounded = 1e30F;
 constexpr uint32_t kWidth = BallNodes::kWidth;
-constexpr size_t kGrain = 1024;  // leaves
+constexpr size_t kGrain = 4096;  // triangles
 
 struct Box {
     glm::vec3 low{kUnbounded}, high{-kUnbounded};
+};
+/// Some triangles: the box around them, and the sum of their normals times twice their areas.
+struct Patch {
+    Box box;
+    glm::vec3 normal{0};
+
+    void add(const Patch& other) {
+        box = {glm::min(box.low, other.box.low), glm::max(box.high, other.box.high)};
+        normal += other.normal;
+    }
 };
 struct Slab {
     glm::vec3 normal{1, 0, 0};
     float low = -kUnbounded, high = kUnbounded;
 };
-struct Member {
-    glm::vec3 middle;
-    uint32_t triangle;
-};
 /// Of the order of the triangles, and where its nodes go.
 struct Subtree {
-    uint32_t first, last;
-    uint32_t root;
+    uint32_t first = 0, last = 0;
+    uint32_t root = 0;
+    uint32_t count() const { return last - first; }
 };
 
 void setLane(LanesOfPoints& vectors, size_t lane, const glm::vec3& v) {
@@ -65,34 +72,49 @@ uint32_t nodesOf(uint32_t triangles) {
     return count;
 }
 
+using Members = std::span<const SplitMember>;
+using Scratch = std::vector<SplitMember>;
+
 class Builder {
   public:
     Builder(std::span<const glm::vec3> positions,
-            std::span<const std::array<uint32_t, 3>> triangles)
-        : positions_(positions), triangles_(triangles), order_(triangles.size()) {
-        for (uint32_t t = 0; t < order_.size(); ++t) {
-            const auto [a, b, c] = corners(t);
-            order_[t] = {(a + b + c) / 3.0F, t};
-        }
+            std::span<const std::array<uint32_t, 3>> triangles, unsigned threads)
+        : positions_(positions),
+          triangles_(triangles),
+          threads_(threads),
+          order_(triangles.size()) {
+        parallelRuns(order_.size(), kGrain, threads, [&](size_t first, size_t last) {
+            for (size_t t = first; t < last; ++t) {
+                const auto [a, b, c] = corners(static_cast<uint32_t>(t));
+                order_[t] = {(a + b + c) / 3.0F, static_cast<uint32_t>(t)};
+            }
+        });
     }
 
-    BallNodes run(std::span<const uint32_t> opposite, unsigned threads) {
+    BallNodes run(std::span<const uint32_t> opposite) {
         const auto count = static_cast<uint32_t>(triangles_.size());
         if (count == 0) return {};
         result_.nodes.resize(nodesOf(count));
+        patches_.resize(result_.nodes.size());
         result_.root = count <= kWidth ? BallNodes::kLeaf : 0;
-        if (count > kWidth) build({0, count, 0}, threads);
+        if (count > kWidth) build({0, count, 0});
         result_.leaves.resize(leavesOf(count));
         result_.triangles.resize(count);
-        result_.beside.resize(count);
+        result_.fans.resize(count);
         result_.numbers.resize(count);
         std::vector<uint32_t> place(count);
-        for (uint32_t i = 0; i < count; ++i) place[order_[i].triangle] = i;
-        parallelRuns(result_.leaves.size(), kGrain, threads, [&](size_t first, size_t last) {
-            for (size_t i = kWidth * first; i < kWidth * last; ++i) {
-                takeTriangle(i);
-                if (i < count) takeBeside(i, opposite, place);
-            }
+        const auto forRuns = [&](const auto& take) {
+            parallelRuns(result_.leaves.size(), kGrain / kWidth, threads_,
+                         [&](size_t first, size_t last) {
+                             for (size_t i = kWidth * first; i < kWidth * last; ++i) take(i);
+                         });
+        };
+        forRuns([&](size_t i) {
+            takeTriangle(i);
+            if (i < count) place[order_[i].triangle] = static_cast<uint32_t>(i);
+        });
+        forRuns([&](size_t i) {
+            if (i < count) takeFan(static_cast<uint32_t>(i), opposite, place);
         });
         return std::move(result_);
     }
@@ -102,108 +124,128 @@ class Builder {
         const auto& [a, b, c] = triangles_[triangle];
         return {positions_[a], positions_[b], positions_[c]};
     }
-    std::span<Member> part(uint32_t first, uint32_t count) {
-        return std::span(order_).subspan(first, count);
+    std::span<SplitMember> part(uint32_t first, uint32_t last) {
+        return std::span(order_).subspan(first, last - first);
     }
 
-    Box build(const Subtree& at, unsigned threads);
-    Box buildChild(const Subtree& at, uint32_t& child, unsigned threads);
-    void split(std::span<Member> members, uint32_t left) const;
-    Box boxOf(std::span<const Member> members) const;
-    Slab slabOf(std::span<const Member> members) const;
-    void describe(BallNodes::Node& node, size_t lane, const Box& box,
-                  std::span<const Member> members) const;
+    void build(const Subtree& whole);
+    std::array<Subtree, kWidth> divide(const Subtree& at, unsigned threads, Scratch& scratch);
+    void buildBelow(const Subtree& at, Scratch& scratch);
+    void describe(const Subtree& at);
+    Patch patchOf(Members members) const;
+    Slab slabOf(Members members, const glm::vec3& normal) const;
     void takeTriangle(size_t i);
-    void takeBeside(size_t i, std::span<const uint32_t> opposite, std::span<const uint32_t> place);
+    void takeFan(uint32_t i, std::span<const uint32_t> opposite, std::span<const uint32_t> place);
 
     std::span<const glm::vec3> positions_;
     std::span<const std::array<uint32_t, 3>> triangles_;
-    std::vector<Member> order_;
+    unsigned threads_;
+    std::vector<SplitMember> order_;
+    std::vector<Patch> patches_;  ///< per node
     BallNodes result_;
 };
 
-/// Returns the box around what is below the node.
-Box Builder::build(const Subtree& at, unsigned threads) {
-    const std::array<uint32_t, kWidth> parts = partsOf(at.last - at.first);
-    const uint32_t left = parts[0] + parts[1];
-    split(part(at.first, at.last - at.first), left);
-    std::array<Box, kWidth> boxes;
-    std::array<uint32_t, kWidth>& children = result_.nodes[at.root].child;
-    const auto buildHalf = [&](size_t lane, Subtree child, unsigned share) {
-        split(part(child.first, parts[lane] + parts[lane + 1]), parts[lane]);
-        for (const size_t end = lane + 2; lane < end; ++lane) {
-            child.last = child.first + parts[lane];
-            boxes[lane] = buildChild(child, children[lane], share);
-            child.first = child.last;
-            child.root += nodesOf(parts[lane]);
-        }
-    };
-    const Subtree first{at.first, 0, at.root + 1};
-    const Subtree second{at.first + left, 0, first.root + nodesOf(parts[0]) + nodesOf(parts[1])};
-    std::thread other;
-    if (threads > 1) other = std::thread([&] { buildHalf(2, second, threads / 2); });
-    buildHalf(0, first, (threads + 1) / 2);
-    if (threads <= 1) buildHalf(2, second, 1);
-    if (other.joinable()) other.join();
-    Box all;
-    uint32_t start = at.first;
+/// Level by level, until there are subtrees enough for all threads.
+void Builder::build(const Subtree& whole) {
+    constexpr uint32_t kLarge = 4096;
+    std::vector<Subtree> level{whole}, large, small;
+    while (!level.empty()) {
+        std::vector<std::array<Subtree, kWidth>> below(level.size());
+        parallelRuns(level.size(), 1, threads_, [&](size_t i, size_t) {
+            Scratch scratch;
+            below[i] = divide(level[i], level.size() == 1 ? threads_ : 1, scratch);
+        });
+        large.insert(large.end(), level.begin(), level.end());
+        level.clear();
+        for (const std::array<Subtree, kWidth>& children : below)
+            for (const Subtree& child : children)
+                (child.count() > kLarge ? level : small).push_back(child);
+    }
+    parallelRuns(small.size(), 1, threads_, [&](size_t i, size_t) {
+        Scratch scratch;
+        if (small[i].count() > kWidth) buildBelow(small[i], scratch);
+    });
+    std::for_each(large.rbegin(), large.rend(), [this](const Subtree& at) { describe(at); });
+}
+
+/// Into the node's children, each a node, a leaf or nothing.
+std::array<Subtree, kWidth> Builder::divide(const Subtree& at, unsigned threads, Scratch& scratch) {
+    const std::array<uint32_t, kWidth> parts = partsOf(at.count());
+    const uint32_t middle = at.first + parts[0] + parts[1];
+    medianSplit(part(at.first, at.last), middle - at.first, scratch);
+    if (threads > 1) {
+        Scratch other;
+        parallelTasks(
+            threads, [&] { medianSplit(part(at.first, middle), parts[0], scratch); },
+            [&] { medianSplit(part(middle, at.last), parts[2], other); });
+    } else {
+        medianSplit(part(at.first, middle), parts[0], scratch);
+        medianSplit(part(middle, at.last), parts[2], scratch);
+    }
+    std::array<Subtree, kWidth> children;
+    uint32_t first = at.first, root = at.root + 1;
     for (size_t lane = 0; lane < kWidth; ++lane) {
-        describe(result_.nodes[at.root], lane, boxes[lane], part(start, parts[lane]));
-        start += parts[lane];
-        all = {glm::min(all.low, boxes[lane].low), glm::max(all.high, boxes[lane].high)};
+        children[lane] = {first, first + parts[lane], root};
+        uint32_t& child = result_.nodes[at.root].child[lane];
+        child = parts[lane] > 0 ? BallNodes::kLeaf | first / kWidth : BallNodes::kNone;
+        if (parts[lane] > kWidth) child = root;
+        first += parts[lane];
+        root += nodesOf(parts[lane]);
     }
-    return all;
+    return children;
 }
 
-/// A leaf, a node of its own, or nothing.
-Box Builder::buildChild(const Subtree& at, uint32_t& child, unsigned threads) {
-    const uint32_t count = at.last - at.first;
-    if (count > kWidth) {
-        child = at.root;
-        return build(at, threads);
-    }
-    child = count > 0 ? BallNodes::kLeaf | at.first / kWidth : BallNodes::kNone;
-    return boxOf(part(at.first, count));
+void Builder::buildBelow(const Subtree& at, Scratch& scratch) {
+    for (const Subtree& child : divide(at, 1, scratch))
+        if (child.count() > kWidth) buildBelow(child, scratch);
+    describe(at);
 }
 
-/// Across the longest side of the box around the middles.
-void Builder::split(std::span<Member> members, uint32_t left) const {
-    if (left == members.size()) return;
-    Box box;
-    for (const Member& m : members)
-        box = {glm::min(box.low, m.middle), glm::max(box.high, m.middle)};
-    const glm::vec3 size = box.high - box.low;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-    std::nth_element(members.begin(), members.begin() + left, members.end(),
-                     [axis](const Member& x, const Member& y) {
-                         return std::pair(x.middle[axis], x.triangle) <
-                                std::pair(y.middle[axis], y.triangle);
-                     });
+/// Its children's boxes and slabs, which are known; and so its own box.
+void Builder::describe(const Subtree& at) {
+    BallNodes::Node& node = result_.nodes[at.root];
+    const std::array<uint32_t, kWidth> parts = partsOf(at.count());
+    Patch all;
+    uint32_t first = at.first;
+    for (size_t lane = 0; lane < kWidth; ++lane) {
+        const Members members = part(first, first + parts[lane]);
+        first += parts[lane];
+        const Patch patch = parts[lane] > kWidth ? patches_[node.child[lane]] : patchOf(members);
+        const Box& box = patch.box;
+        all.add(patch);
+        const Slab slab = slabOf(members, patch.normal);
+        const bool isThere = !members.empty();
+        setLane(node.centre, lane, isThere ? 0.5F * (box.low + box.high) : glm::vec3(kNowhere));
+        // A little more, for what rounding took.
+        const glm::vec3 extent =
+            0.5F * (box.high - box.low) + 1e-6F * (glm::abs(box.low) + glm::abs(box.high));
+        setLane(node.extent, lane, isThere ? extent : glm::vec3(0.0F));
+        setLane(node.normal, lane, slab.normal);
+        node.low.at[lane] = slab.low;
+        node.high.at[lane] = slab.high;
+    }
+    patches_[at.root] = all;
 }
 
-Box Builder::boxOf(std::span<const Member> members) const {
-    Box box;
-    for (const Member& m : members) {
-        for (const glm::vec3& q : corners(m.triangle))
-            box = {glm::min(box.low, q), glm::max(box.high, q)};
+Patch Builder::patchOf(Members members) const {
+    Patch patch;
+    for (const SplitMember& m : members) {
+        const auto [a, b, c] = corners(m.triangle);
+        patch.add(
+            {{glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))}, glm::cross(b - a, c - a)});
     }
-    return box;
+    return patch;
 }
 
 /// Across the mean normal. Large patches are not flat: theirs is without bounds.
-Slab Builder::slabOf(std::span<const Member> members) const {
+Slab Builder::slabOf(Members members, const glm::vec3& normal) const {
     constexpr size_t kLarge = 512;
     Slab slab;
     if (members.size() > kLarge) return slab;
-    glm::vec3 normal(0.0F);
-    for (const Member& m : members) {
-        const auto [a, b, c] = corners(m.triangle);
-        normal += glm::cross(b - a, c - a);
-    }
     const float length = glm::length(normal);
     if (length > 0) slab.normal = normal / length;
     std::swap(slab.low, slab.high);
-    for (const Member& m : members) {
+    for (const SplitMember& m : members) {
         for (const glm::vec3& q : corners(m.triangle)) {
             const float height = glm::dot(slab.normal, q);
             slab.low = std::min(slab.low, height);
@@ -211,20 +253,6 @@ Slab Builder::slabOf(std::span<const Member> members) const {
         }
     }
     return slab;
-}
-
-void Builder::describe(BallNodes::Node& node, size_t lane, const Box& box,
-                       std::span<const Member> members) const {
-    const Slab slab = slabOf(members);
-    const bool isThere = !members.empty();
-    setLane(node.centre, lane, isThere ? 0.5F * (box.low + box.high) : glm::vec3(kNowhere));
-    // A little more, for what rounding took.
-    const glm::vec3 extent =
-        0.5F * (box.high - box.low) + 1e-6F * (glm::abs(box.low) + glm::abs(box.high));
-    setLane(node.extent, lane, isThere ? extent : glm::vec3(0.0F));
-    setLane(node.normal, lane, slab.normal);
-    node.low.at[lane] = slab.low;
-    node.high.at[lane] = slab.high;
 }
 
 /// The i-th in the order of the leaves: neighbours in space are neighbours in memory. Beyond the
@@ -253,11 +281,20 @@ void Builder::takeTriangle(size_t i) {
     result_.triangles[i] = {row(a, glm::dot(ab, ac)), row(ab, ab2), row(ac, ac2)};
 }
 
-void Builder::takeBeside(size_t i, std::span<const uint32_t> opposite,
-                         std::span<const uint32_t> place) {
+void Builder::takeFan(uint32_t i, std::span<const uint32_t> opposite,
+                      std::span<const uint32_t> place) {
+    BallNodes::Fan& fan = result_.fans[i];
+    fan.members.fill(i);
     for (size_t k = 0; k < 3; ++k) {
         const uint32_t o = opposite[3 * size_t{order_[i].triangle} + k];
-        result_.beside[i][k] = o == BallNodes::kNone ? BallNodes::kNone : place[o / 3];
+        if (o != BallNodes::kNone) fan.members[k + 1] = place[o / 3];
+    }
+    for (size_t lane = 0; lane < kWidth; ++lane) {
+        const BallNodes::Leaf& leaf = result_.leaves[fan.members[lane] / kWidth];
+        const size_t from = fan.members[lane] % kWidth;
+        for (size_t axis = 0; axis < 3; ++axis)
+            fan.normal[axis].at[lane] = leaf.normal[axis].at[from];
+        fan.offset.at[lane] = leaf.offset.at[from];
     }
 }
 
@@ -266,7 +303,7 @@ void Builder::takeBeside(size_t i, std::span<const uint32_t> opposite,
 BallNodes buildBallNodes(std::span<const glm::vec3> positions,
                          std::span<const std::array<uint32_t, 3>> triangles,
                          std::span<const uint32_t> opposite, unsigned threads) {
-    return Builder(positions, triangles).run(opposite, threads);
+    return Builder(positions, triangles, threads).run(opposite);
 }
 
 }  // namespace sherd

@@ -35,13 +35,19 @@ struct BallNodes {
     struct Triangle {
         Lanes a, ab, ac;
     };
+    /// A triangle and those across its sides (itself where there is none), and their planes.
+    struct Fan {
+        LanesOfPoints normal;
+        Lanes offset;
+        std::array<uint32_t, kWidth> members;
+    };
 
     std::vector<Node> nodes;
     std::vector<Leaf> leaves;
-    std::vector<Triangle> triangles;              ///< in the order of the leaves
-    std::vector<std::array<uint32_t, 3>> beside;  ///< per triangle: those across its sides or kNone
-    std::vector<uint32_t> numbers;                ///< per triangle: in the mesh
-    uint32_t root = kNone;                        ///< as a child
+    std::vector<Triangle> triangles;  ///< in the order of the leaves
+    std::vector<Fan> fans;            ///< per triangle
+    std::vector<uint32_t> numbers;    ///< per triangle: in the mesh
+    uint32_t root = kNone;            ///< as a child
 };
 
 /// The sine squared of the angle between two sides below which a triangle counts as its edges.

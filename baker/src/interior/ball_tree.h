@@ -34,7 +34,7 @@ class BallTree {
              std::span<const std::array<uint32_t, 3>> triangles, std::span<const uint32_t> opposite,
              double separationAngle, unsigned threads = 1);
 
-    /// The largest ball that no triangle enters by more than two percent of its radius, and
+    /// The largest ball that no triangle enters by more than four percent of its radius, and
     /// what it touches not by more than a thousandth; at most
     /// maxRadius, 0 below a hundred-thousandth. `near`, if given, is where a ball beside touches:
     /// the search ends sooner.
@@ -51,10 +51,17 @@ class BallTree {
   private:
     struct Query;
 
+    /// Of a node; see childrenMet.
+    struct Children {
+        bool any = false;
+        Lanes distance2;
+    };
+
     void search(Query& query) const;
-    Lanes childrenMet(const Query& query, const BallNodes::Node& node) const;
+    Children childrenMet(const Query& query, const BallNodes::Node& node) const;
     void shrinkByLeaf(Query& query, uint32_t leaf) const;
     uint32_t shrinkBySome(Query& query, const std::array<uint32_t, 4>& triangles) const;
+    void shrinkToMiddle(Query& query, uint32_t triangle) const;
     void follow(Query& query, uint32_t triangle) const;
     Ball settled(Query& query) const;
 

@@ -17,10 +17,9 @@
 //   only, nothing refined             18.9 in none: coarse meshes have nothing but creases
 #include "interior/medial.h"
 
-#include <algorithm>
-#include <future>
+#include <atomic>
 #include <glm/geometric.hpp>
-#include <numeric>
+#include <glm/vec4.hpp>
 #include <optional>
 
 #include "geometry/inside_test.h"
@@ -28,9 +27,18 @@
 #include "interior/pole_medial.h"
 #include "interior/scale_axis.h"
 #include "interior/smoothing.h"
+#include "parallel/meanwhile.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {
+
+constexpr size_t kGrain = 1024;  // vertices
+
+struct InsideTestOf {
+    const SurfaceMesh& mesh;
+    InsideTest operator()() const { return {mesh.positions, mesh.triangles}; }
+};
 
 /// One run; stages in order of the members below.
 class MedialBuilder {
@@ -39,15 +47,14 @@ class MedialBuilder {
                   const MedialOptions& options)
         : mesh_(mesh),
           options_(options),
-          insideLater_(std::async(options.threads > 1 ? std::launch::async : std::launch::deferred,
-                                  [&mesh] { return InsideTest(mesh.positions, mesh.triangles); })),
+          inside_(options.threads, InsideTestOf{mesh}),
           medial_(mesh, topology, options) {}
 
     MedialSurface run() {
         medial_.refine();
-        rings_.emplace(medial_.rings());
-        inside_.emplace(insideLater_.get());
-        takeCentres();
+        parallelTasks(
+            options_.threads, [this] { takeCentres(); },
+            [this] { rings_.emplace(medial_.rings()); });
         filter();
         fill();
         smooth();
@@ -62,13 +69,17 @@ class MedialBuilder {
     void fill();
     void smooth();
     void settle();
-    std::vector<uint8_t> areInside(std::span<const uint32_t> vertices) const;
+    template <class Visit>
+    void forVertices(const Visit& visit) const {
+        parallelRuns(centres_.size(), kGrain, options_.threads, [&](size_t first, size_t last) {
+            for (size_t v = first; v < last; ++v) visit(v);
+        });
+    }
     glm::vec3 toObject(const glm::vec3& p) const { return medial_.frame().toObject(glm::dvec3(p)); }
 
     const SurfaceMesh& mesh_;
     const MedialOptions& options_;
-    std::future<InsideTest> insideLater_;  ///< made while the balls are sought
-    std::optional<InsideTest> inside_;
+    Meanwhile<InsideTestOf> inside_;  ///< made while the balls are sought
     MedialMesh medial_;
     std::optional<VertexRings> rings_;  ///< of the refined mesh
     std::vector<glm::vec3> centres_;
@@ -78,42 +89,33 @@ class MedialBuilder {
     MedialSurface result_;
 };
 
-/// Of the centres, whose rounding to the object's frame is inside.
-std::vector<uint8_t> MedialBuilder::areInside(std::span<const uint32_t> vertices) const {
-    if (options_.open) return std::vector<uint8_t>(vertices.size(), 1);
-    std::vector<glm::vec3> points;
-    points.reserve(vertices.size());
-    for (const uint32_t v : vertices) points.push_back(toObject(centres_[v]));
-    std::vector<uint8_t> result(points.size());
-    inside_->inside(points, result, options_.threads);
-    return result;
-}
-
 void MedialBuilder::takeCentres() {
     const size_t count = medial_.feet().size();
     centres_.resize(count);
     radii_.resize(count);
     own_.assign(count, 1);
-    for (size_t v = 0; v < count; ++v) {
+    result_.points.resize(count);
+    const InsideTest& inside = inside_.get();
+    const auto smallest = static_cast<float>(options_.smallestRadius * medial_.frame().diagonal);
+    std::atomic<uint32_t> outside{0};
+    forVertices([&](size_t v) {
         centres_[v] = medial_.centre(v);
         radii_[v] = medial_.radius(v);
-    }
-    std::vector<uint32_t> all(count);
-    std::iota(all.begin(), all.end(), 0U);
-    const std::vector<uint8_t> inside = areInside(all);
-    const auto smallest = static_cast<float>(options_.smallestRadius * medial_.frame().diagonal);
-    for (size_t v = 0; v < count; ++v) {
+        result_.points[v] = toObject(centres_[v]);
+        const bool isInside = options_.open || inside.inside(glm::dvec3(result_.points[v]));
         const bool counts = medial_.hasBall(v) && radii_[v] >= smallest;
         // A ball of no size is at a crease, on the surface.
-        if (inside[v] == 0 && radii_[v] > 0) ++result_.outside;
-        if (counts && (inside[v] != 0 || radii_[v] == 0)) continue;
+        if (!isInside && radii_[v] > 0) ++outside;
+        if (counts && (isInside || radii_[v] == 0)) return;
         own_[v] = 0;
         radii_[v] = -1;
-    }
+    });
+    result_.outside = outside;
 }
 
 void MedialBuilder::filter() {
-    covering_ = coveringBalls(centres_, radii_, *rings_, static_cast<float>(options_.scaleAxis));
+    covering_ = coveringBalls(centres_, radii_, *rings_, static_cast<float>(options_.scaleAxis),
+                              options_.threads);
     for (uint32_t v = 0; v < covering_.size(); ++v) {
         if (covering_[v] == v || own_[v] == 0) continue;
         own_[v] = 0;
@@ -134,24 +136,22 @@ void MedialBuilder::fill() {
         centres_[v] = centres_[covering_[v]];
         known[v] = 1;
     }
-    std::vector<std::pair<uint32_t, glm::vec3>> moved;
+    std::vector<glm::vec4> means(open.size());  // of known neighbours, if w is not 0
     const auto step = [&] {
-        moved.clear();
-        for (const uint32_t v : open) {
-            glm::vec3 sum(0.0F);
-            float count = 0;
-            for (const uint32_t u : rings.of(v)) {
-                if (known[u] == 0) continue;
-                sum += centres_[u];
-                ++count;
+        parallelRuns(open.size(), kGrain, options_.threads, [&](size_t first, size_t last) {
+            for (size_t i = first; i < last; ++i) {
+                glm::vec4 sum(0.0F);
+                for (const uint32_t u : rings.of(open[i]))
+                    if (known[u] != 0) sum += glm::vec4(centres_[u], 1.0F);
+                means[i] = sum.w > 0 ? sum / sum.w : sum;
             }
-            if (count > 0) moved.emplace_back(v, sum / count);
-        }
+        });
         bool grew = false;
-        for (const auto& [v, c] : moved) {
-            centres_[v] = c;
-            grew = grew || known[v] == 0;
-            known[v] = 1;
+        for (size_t i = 0; i < open.size(); ++i) {
+            if (means[i].w == 0) continue;
+            centres_[open[i]] = glm::vec3(means[i]);
+            grew = grew || known[open[i]] == 0;
+            known[open[i]] = 1;
         }
         return grew;
     };
@@ -177,31 +177,30 @@ void MedialBuilder::smooth() {
 void MedialBuilder::settle() {
     constexpr int kMaxHalvings = 20;
     const std::vector<glm::vec3>& feet = medial_.feet();
-    const auto footOf = [&](uint32_t v) {
-        return v < mesh_.positions.size() ? mesh_.positions[v] : toObject(feet[v]);
+    const InsideTest& inside = inside_.get();
+    const auto isInside = [&](size_t v) {
+        return options_.open || inside.inside(glm::dvec3(result_.points[v]));
     };
-    // Balls of some size that stayed where they were found are inside.
-    std::vector<uint32_t> moved;
-    for (uint32_t v = 0; v < centres_.size(); ++v)
-        if (options_.postSmoothing > 0 || own_[v] == 0 || radii_[v] == 0) moved.push_back(v);
-    const std::vector<uint8_t> inside = areInside(moved);
-    result_.points.resize(centres_.size());
-    for (uint32_t v = 0; v < centres_.size(); ++v) result_.points[v] = toObject(centres_[v]);
-    for (size_t k = 0; k < moved.size(); ++k) {
-        if (inside[k] != 0) continue;
-        const uint32_t v = moved[k];
+    std::atomic<uint32_t> pulledBack{0}, onSurface{0};
+    forVertices([&](size_t v) {
         glm::vec3& point = result_.points[v];
-        bool isInside = false;
-        if (centres_[v] != feet[v]) ++result_.pulledBack;
-        for (int i = 0; i < kMaxHalvings && !isInside; ++i) {
-            centres_[v] = 0.5F * (centres_[v] + feet[v]);
+        const glm::vec3 foot = v < mesh_.positions.size() ? mesh_.positions[v] : toObject(feet[v]);
+        // Balls of some size that stayed where they were found are inside.
+        if (options_.postSmoothing > 0 || own_[v] == 0 || radii_[v] == 0) {
             point = toObject(centres_[v]);
-            isInside = inside_->inside(glm::dvec3(point));
+            bool isKept = isInside(v);
+            if (!isKept && centres_[v] != feet[v]) ++pulledBack;
+            for (int i = 0; i < kMaxHalvings && !isKept && centres_[v] != feet[v]; ++i) {
+                centres_[v] = 0.5F * (centres_[v] + feet[v]);
+                point = toObject(centres_[v]);
+                isKept = isInside(v);
+            }
+            if (!isKept) point = foot;
         }
-        if (!isInside) point = footOf(v);
-    }
-    for (uint32_t v = 0; v < centres_.size(); ++v)
-        if (result_.points[v] == footOf(v)) ++result_.onSurface;
+        if (point == foot) ++onSurface;
+    });
+    result_.pulledBack = pulledBack;
+    result_.onSurface = onSurface;
 }
 
 Result<MedialSurface> fromPoles(const SurfaceMesh& mesh, const MeshTopology& topology,

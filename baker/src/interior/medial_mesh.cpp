@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "geometry/edge_refinement.h"
-#include "geometry/parallel_for.h"
 #include "interior/smoothing.h"
 #include "interior/vertex_balls.h"
 #include "interior/vertex_normals.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {
@@ -75,29 +75,36 @@ double radians(double degrees) {
 
 MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
                        const MedialOptions& options)
-    : mesh_(mesh),
-      options_(options),
-      frame_(mesh),
-      triangles_(mesh.triangles, topology.opposite),
-      corners_(mesh.positions.size(), mesh.triangles),
-      tree_({}, {}, {}, 0) {
-    const std::vector<glm::dvec3> feet = inUnits(mesh, frame_);
-    const VertexRings around = rings(feet.size());
+    : mesh_(mesh), options_(options), corners_(0, {}), tree_({}, {}, {}, 0) {
+    const size_t count = mesh.positions.size();
+    const size_t room = count + count / 2;  // refinement adds some
+    std::vector<glm::dvec3> feet;
+    VertexRings around(0, {}, {});
+    parallelTasks(
+        options.threads, [&] { triangles_ = BisectedTriangles(mesh.triangles, topology.opposite); },
+        [&] { around = VertexRings(count, mesh.triangles, topology.opposite); },
+        [&] { corners_ = VertexCorners(count, mesh.triangles); },
+        [&] {
+            frame_ = UnitFrame(mesh);
+            feet = inUnits(mesh, frame_);
+            feet_.reserve(room);
+            feet_.assign(feet.begin(), feet.end());
+            origins_.reserve(room);
+            origins_.resize(count);
+            for (uint32_t v = 0; v < count; ++v) origins_[v].vertices = {v, v, v};
+        });
     SmoothSurface surface = smoothedSurface(mesh, feet, around, corners_, frame_.diagonal, options);
-    const std::vector<glm::dvec3> normals =
-        vertexNormals(surface.facets, corners_, feet.size(), options.threads);
+    vertexNormals_ = vertexNormals(surface.facets, corners_, count, options.threads);
     facets_ = std::move(surface.facets);
-    const size_t room = feet.size() + feet.size() / 2;  // refinement adds some
-    feet_.reserve(room);
-    origins_.reserve(room);
+    smoothed_.resize(count);
     tangents_.reserve(room);
-    feet_.assign(feet.begin(), feet.end());
-    smoothed_.assign(surface.points.begin(), surface.points.end());
-    origins_.resize(feet.size());
-    for (uint32_t v = 0; v < feet.size(); ++v) {
-        origins_[v].vertices = {v, v, v};
-        tangents_.push_back({smoothed_[v], glm::vec3(normals[v])});
-    }
+    tangents_.resize(count);
+    parallelRuns(count, kGrain, options.threads, [&](size_t first, size_t last) {
+        for (size_t v = first; v < last; ++v) {
+            smoothed_[v] = glm::vec3(surface.points[v]);
+            tangents_[v] = {smoothed_[v], glm::vec3(vertexNormals_[v])};
+        }
+    });
     const double angle = radians(options.separationAngle);
     tree_ = BallTree(smoothed_, mesh.triangles, topology.opposite, angle, options.threads);
     balls_ = vertexBalls(tree_, mesh.triangles, tangents_, around,
@@ -200,8 +207,8 @@ void MedialMesh::refine() {
         for (size_t h = 3 * first; h < 3 * last; ++h)
             if (length2(static_cast<uint32_t>(h)) > shortest * shortest) hasLong[h / 3] = 1;
     });
-    if (std::count(hasLong.begin(), hasLong.end(), 1) == 0) return;
-    normals_ = cornerNormals(facets_, mesh_.triangles, corners_, hasLong,
+    if (std::find(hasLong.begin(), hasLong.end(), 1) == hasLong.end()) return;
+    normals_ = cornerNormals(facets_, mesh_.triangles, corners_, vertexNormals_, hasLong,
                              radians(options_.separationAngle), options_.threads);
     Refinement refinement{*this};
     refineEdges(triangles_, refinement, options_.threads);

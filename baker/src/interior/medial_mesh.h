@@ -58,8 +58,9 @@ class MedialMesh {
     const MedialOptions& options_;
     UnitFrame frame_;
     BisectedTriangles triangles_;
-    VertexCorners corners_;      ///< of the mesh
-    std::vector<Facet> facets_;  ///< of the smoothed mesh
+    VertexCorners corners_;                  ///< of the mesh
+    std::vector<Facet> facets_;              ///< of the smoothed mesh
+    std::vector<glm::dvec3> vertexNormals_;  ///< likewise
     std::vector<VertexOrigin> origins_;
     std::vector<glm::vec3> feet_;                    ///< on the surface
     std::vector<glm::vec3> smoothed_;                ///< of the mesh's vertices only

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "geometry/parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "geometry/parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {

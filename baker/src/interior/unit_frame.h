@@ -18,6 +18,7 @@ struct UnitFrame {
     int exponent = 0;     ///< one unit is 2^exponent metres
     double diagonal = 0;  ///< of the bounding box, in units
 
+    UnitFrame() = default;
     explicit UnitFrame(const SurfaceMesh& mesh) {
         const Bounds box = boundsOf(mesh.positions, mesh.triangles);
         if (box.empty()) return;

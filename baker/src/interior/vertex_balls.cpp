@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "geometry/parallel_for.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {
@@ -17,6 +17,15 @@ using Ball = BallTree::Ball;
 using Tangent = BallTree::Tangent;
 
 constexpr size_t kChunk = 256;
+constexpr size_t kSearches = 64;  // take longer
+
+/// Neighbours mostly touch the same few places. Of a hub's thousands of neighbours only the last
+/// are compared.
+void addOnce(uint32_t contact, std::vector<uint32_t>& contacts) {
+    constexpr std::ptrdiff_t kLook = 16;
+    const auto from = contacts.end() - std::min(kLook, std::ssize(contacts));
+    if (std::find(from, contacts.end(), contact) == contacts.end()) contacts.push_back(contact);
+}
 
 class VertexBalls {
   public:
@@ -27,10 +36,7 @@ class VertexBalls {
           rings_(rings),
           maxRadius_(maxRadius),
           threads_(threads),
-          balls_(tangents.size()),
-          changedAt_(tangents.size(), 0),
-          learnedAt_(tangents.size(), 0),
-          known_(tangents.size(), 0) {}
+          at_(tangents.size()) {}
 
     /// In an order in which each vertex is near the one before.
     std::vector<Ball> run(std::span<const uint32_t> order) {
@@ -40,11 +46,11 @@ class VertexBalls {
         const size_t stride = order.size() < kManyVertices ? 1 : kStride;
         for (size_t i = 0; i < order.size(); i += stride) sample.push_back(order[i]);
         search(sample);
-        if (stride == 1) return std::move(balls_);
+        if (stride == 1) return balls();
         spreadFrom(sample);
         std::vector<uint32_t> unreached;
         for (const uint32_t v : order)
-            if (known_[v] == 0) unreached.push_back(v);
+            if (!isKnown(v)) unreached.push_back(v);
         search(unreached);
         std::vector<uint32_t> learners(order.begin(), order.end());
         for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -54,23 +60,41 @@ class VertexBalls {
             changed.insert(changed.end(), doubted.begin(), doubted.end());
             learners = around(changed);
         }
-        return std::move(balls_);
+        return balls();
     }
 
   private:
+    enum Known : uint32_t { kUnknown, kNext, kLearned, kSearched };
+    /// At a vertex. What a ball has learnt from a neighbour once it need not learn again: the
+    /// rounds tell when either changed.
+    struct State {
+        Ball ball;
+        uint32_t known : 2 = kUnknown;
+        uint32_t changedAt : 30 = 0;
+        uint32_t learnedAt = 0;
+    };
+    bool isKnown(uint32_t v) const { return at_[v].known != kUnknown; }
+
+    std::vector<Ball> balls() const {
+        std::vector<Ball> result;
+        result.reserve(at_.size());
+        for (const State& state : at_) result.push_back(state.ball);
+        return result;
+    }
+
     void search(const std::vector<uint32_t>& vertices) {
-        parallelRuns(vertices.size(), kChunk, threads_, [&](size_t first, size_t last) {
+        parallelRuns(vertices.size(), kSearches, threads_, [&](size_t first, size_t last) {
             uint32_t near = BallTree::kNone;
             for (size_t i = first; i < last; ++i) {
                 const uint32_t v = vertices[i];
-                if (balls_[v].contact != BallTree::kNone) near = balls_[v].contact;
-                balls_[v] = tree_.largest(tangents_[v], maxRadius_, near);
-                near = balls_[v].contact;
+                if (at_[v].ball.contact != BallTree::kNone) near = at_[v].ball.contact;
+                at_[v].ball = tree_.largest(tangents_[v], maxRadius_, near);
+                near = at_[v].ball.contact;
             }
         });
         for (const uint32_t v : vertices) {
-            known_[v] = kSearched;
-            changedAt_[v] = round_;
+            at_[v].known = kSearched;
+            at_[v].changedAt = round_;
         }
     }
 
@@ -87,18 +111,18 @@ class VertexBalls {
     }
     bool isDoubtful(uint32_t v) const {
         constexpr float kProportion = 1.5F;
-        if (known_[v] == kSearched) return false;
-        if (balls_[v].contact == BallTree::kNone) return true;
+        if (at_[v].known == kSearched) return false;
+        if (at_[v].ball.contact == BallTree::kNone) return true;
         float least = maxRadius_;
         for (const uint32_t u : rings_.of(v))
-            if (known_[u] != kUnknown) least = std::min(least, balls_[u].radius);
-        return balls_[v].radius > kProportion * least && isSteep(v, least);
+            if (isKnown(u)) least = std::min(least, at_[u].ball.radius);
+        return at_[v].ball.radius > kProportion * least && isSteep(v, least);
     }
 
     /// Whether the ball is larger than `least` by more than its edges are long. Beside a crease
     /// balls of no size lie beside balls as large as the edge between them.
     bool isSteep(uint32_t v, float least) const {
-        const float rise = balls_[v].radius - least;
+        const float rise = at_[v].ball.radius - least;
         const auto isShort = [&](uint32_t u) {
             const glm::vec3 edge = tangents_[u].point - tangents_[v].point;
             return glm::dot(edge, edge) < rise * rise;
@@ -114,16 +138,16 @@ class VertexBalls {
             for (const uint32_t v : front) {
                 for (const uint32_t u : rings_.of(v)) {
                     const glm::vec3& n = tangents_[u].normal;
-                    if (known_[u] != 0 || !(glm::dot(n, n) > 0)) continue;
-                    known_[u] = kNext;
+                    if (isKnown(u) || !(glm::dot(n, n) > 0)) continue;
+                    at_[u].known = kNext;
                     next.push_back(u);
                 }
             }
             for (const uint32_t v : next) {
-                balls_[v] = {maxRadius_, BallTree::kNone};
+                at_[v].ball = {maxRadius_, BallTree::kNone};
             }
             learn(next);
-            for (const uint32_t v : next) known_[v] = kLearned;
+            for (const uint32_t v : next) at_[v].known = kLearned;
             front = std::move(next);
         }
     }
@@ -134,7 +158,7 @@ class VertexBalls {
         std::vector<uint32_t> result;
         for (const uint32_t v : vertices) {
             for (const uint32_t u : rings_.of(v)) {
-                if (taken[u] != 0 || known_[u] == kUnknown) continue;
+                if (taken[u] != 0 || !isKnown(u)) continue;
                 taken[u] = 1;
                 result.push_back(u);
             }
@@ -151,25 +175,26 @@ class VertexBalls {
             std::vector<uint32_t> contacts;
             for (size_t i = first; i < last; ++i) {
                 const uint32_t v = vertices[i];
+                const State& own = at_[v];
                 contacts.clear();
-                for (const uint32_t u : rings_.of(v))
-                    if (known_[u] >= kLearned && changedAt_[u] >= learnedAt_[v])
-                        contacts.push_back(balls_[u].contact);
-                std::sort(contacts.begin(), contacts.end());
-                contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+                for (const uint32_t u : rings_.of(v)) {
+                    const State& other = at_[u];
+                    if (other.known >= kLearned && other.changedAt >= own.learnedAt)
+                        addOnce(other.ball.contact, contacts);
+                }
                 learned_[i] =
-                    contacts.empty() ? balls_[v] : tree_.beside(tangents_[v], balls_[v], contacts);
+                    contacts.empty() ? own.ball : tree_.beside(tangents_[v], own.ball, contacts);
             }
         });
         std::vector<uint32_t> changed;
         for (size_t i = 0; i < vertices.size(); ++i) {
             const uint32_t v = vertices[i];
-            learnedAt_[v] = round_;
-            if (balls_[v].contact != learned_[i].contact) {
+            at_[v].learnedAt = round_;
+            if (at_[v].ball.contact != learned_[i].contact) {
                 changed.push_back(v);
-                changedAt_[v] = round_;
+                at_[v].changedAt = round_;
             }
-            balls_[v] = learned_[i];
+            at_[v].ball = learned_[i];
         }
         return changed;
     }
@@ -179,12 +204,9 @@ class VertexBalls {
     const VertexRings& rings_;
     float maxRadius_;
     unsigned threads_;
-    std::vector<Ball> balls_, learned_;
-    // What a ball has learnt from a neighbour once it need not learn again.
+    std::vector<State> at_;
+    std::vector<Ball> learned_;
     uint32_t round_ = 0;
-    std::vector<uint32_t> changedAt_, learnedAt_;
-    enum Known : uint8_t { kUnknown, kNext, kLearned, kSearched };
-    std::vector<uint8_t> known_;
 };
 
 }  // namespace
@@ -193,17 +215,22 @@ std::vector<Ball> vertexBalls(const BallTree& tree,
                               std::span<const std::array<uint32_t, 3>> triangles,
                               std::span<const Tangent> tangents, const VertexRings& rings,
                               float maxRadius, unsigned threads) {
-    std::vector<uint32_t> order;
-    order.reserve(tangents.size());
-    std::vector<uint8_t> taken(tangents.size(), 0);
+    std::vector<uint8_t> taken(tangents.size());
+    for (size_t v = 0; v < taken.size(); ++v) {
+        const glm::vec3& n = tangents[v].normal;
+        taken[v] = glm::dot(n, n) > 0 ? 0 : 1;
+    }
+    // Without branches: whether a vertex comes for the first time is hard to guess.
+    std::vector<uint32_t> order(tangents.size() + 1);
+    size_t count = 0;
     for (const uint32_t t : tree.order()) {
         for (const uint32_t v : triangles[t]) {
-            const glm::vec3& n = tangents[v].normal;
-            if (taken[v] != 0 || !(glm::dot(n, n) > 0)) continue;
+            order[count] = v;
+            count += taken[v] ^ 1U;
             taken[v] = 1;
-            order.push_back(v);
         }
     }
+    order.resize(count);
     return VertexBalls(tree, tangents, rings, maxRadius, threads).run(order);
 }
 

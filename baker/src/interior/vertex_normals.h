@@ -28,10 +28,10 @@ std::vector<glm::dvec3> vertexNormals(std::span<const Facet> facets, const Verte
 
 /// Of each wanted (not 0) triangle's corners, unit: the mean of those triangles around the vertex
 /// that turn from this one by less than creaseAngle (radians). 0 for triangles without area, and
-/// for those not wanted.
+/// for those not wanted. vertexNormals as above.
 std::vector<std::array<glm::vec3, 3>> cornerNormals(
     std::span<const Facet> facets, std::span<const std::array<uint32_t, 3>> triangles,
-    const VertexCorners& corners, std::span<const uint8_t> wanted, double creaseAngle,
-    unsigned threads);
+    const VertexCorners& corners, std::span<const glm::dvec3> vertexNormals,
+    std::span<const uint8_t> wanted, double creaseAngle, unsigned threads);
 
 }  // namespace sherd

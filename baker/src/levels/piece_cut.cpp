@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "geometry/parallel_for.h"
 #include "levels/piece_cells.h"
+#include "parallel/parallel_for.h"
 #include "volume/coplanar_faces.h"
 
 namespace sherd {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/parallel_for.h"
 #include "levels/leaf_cut.h"
+#include "parallel/parallel_for.h"
 #include "physics/bonds.h"
 #include "physics/mass_properties.h"
 

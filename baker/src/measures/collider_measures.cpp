@@ -7,9 +7,9 @@
 
 #include "geometry/bounds.h"
 #include "geometry/inside_test.h"
-#include "geometry/parallel_for.h"
 #include "geometry/triangle_bvh.h"
 #include "message_text.h"
+#include "parallel/parallel_for.h"
 #include "physics/polytope.h"
 #include "sherd/formats/hull_measures.h"
 

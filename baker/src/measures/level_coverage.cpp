@@ -10,9 +10,9 @@
 
 #include "geometry/bounds.h"
 #include "geometry/morton_order.h"
-#include "geometry/parallel_for.h"
 #include "geometry/ray_crossing.h"
 #include "geometry/triangle_bvh.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <optional>
 
-#include "geometry/parallel_for.h"
 #include "geometry/triangle_crossing.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "geometry/box_tree.h"
-#include "geometry/parallel_for.h"
 #include "geometry/triangle.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {

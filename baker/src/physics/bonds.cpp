@@ -11,9 +11,9 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/parallel_for.h"
 #include "geometry/triangle_bvh.h"
 #include "geometry/weld.h"
+#include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {

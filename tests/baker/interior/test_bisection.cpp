@@ -29,7 +29,12 @@ struct Refined {
     }
     void cut(std::vector<uint8_t> marked) {
         const auto length = [&](uint32_t h) { return length2(h); };
-        closeMarks(mesh, length, marked);
+        std::vector<uint32_t> marks;
+        for (uint32_t h = 0; h < marked.size(); ++h)
+            if (marked[h] != 0) marks.push_back(h);
+        closeMarks(mesh, length, marks, marked);
+        CHECK(std::count(marked.begin(), marked.end(), 1) == std::ssize(marks));
+        const size_t before = positions.size();
         std::vector<uint32_t> middle(marked.size(), kNo);
         for (uint32_t h = 0; h < marked.size(); ++h) {
             if (marked[h] == 0 || middle[h] != kNo) continue;
@@ -38,7 +43,15 @@ struct Refined {
             if (mesh.opposite[h] != kNo) middle[mesh.opposite[h]] = middle[h];
             positions.push_back((positions[v[h % 3]] + positions[v[(h + 1) % 3]]) / 2.0F);
         }
-        bisect(mesh, marked, middle, length);
+        std::vector<uint8_t> kept(marked.size(), 1);
+        bisect(mesh, marked, middle, length, &kept);
+        bool keepsWhole = kept.size() == mesh.opposite.size();
+        for (uint32_t h = 0; h < kept.size() && keepsWhole; ++h) {
+            const auto& v = mesh.triangles[h / 3].v;
+            const bool isWhole = std::max(v[h % 3], v[(h + 1) % 3]) < before;
+            keepsWhole = (kept[h] != 0) == isWhole;
+        }
+        CHECK(keepsWhole);
         sortByParent(mesh);
     }
 };
