@@ -14,8 +14,17 @@ namespace {
 using namespace sherd;
 using fuzz::require;
 
-/// Its leaves, each drawn once.
-void requireWhole(const Asset& asset, std::span<const FragmentPose> poses) {
+/// How many leaves were not removed.
+uint32_t leavesLeft(const Structure& structure) {
+    uint32_t count = 0;
+    for (uint32_t leaf = 0; leaf < structure.graph().leafCount(); ++leaf)
+        count += structure.isGone(leaf) ? 0 : 1;
+    return count;
+}
+
+/// Its leaves that are left, each drawn once.
+void requireWhole(const Structure& structure, std::span<const FragmentPose> poses) {
+    const Asset& asset = structure.asset();
     std::vector<uint8_t> seen(asset.fragmentCount(), 0);
     uint32_t leaves = 0;
     for (const FragmentPose& pose : poses) {
@@ -23,7 +32,7 @@ void requireWhole(const Asset& asset, std::span<const FragmentPose> poses) {
         leaves += asset.graph().leavesOf(pose.fragment).count;
         require(std::isfinite(pose.pose.translation.x), "a pose is finite");
     }
-    require(leaves == asset.graph().leafCount(), "every leaf is drawn");
+    require(leaves == leavesLeft(structure), "every leaf is drawn");
 }
 
 WorldOptions byHand() {
@@ -43,6 +52,10 @@ struct Starts {
         add([](DestructionWorld&, ObjectId) {});
         add([](DestructionWorld& world, ObjectId object) { (void)world.breakFragment(object); });
         add([](DestructionWorld& world, ObjectId object) { (void)world.breakAll(object); });
+        add([](DestructionWorld& world, ObjectId object) {
+            (void)world.breakAll(object);
+            require(world.removePiece(object, world.poses()[2].fragment), "a piece goes");
+        });
         add([](DestructionWorld& world, ObjectId object) {
             (void)world.anchorInBox(object, glm::vec3(-9, -9, -9), glm::vec3(0, 0, 0));
             AreaDamage damage;
@@ -77,7 +90,7 @@ void restoreInBullet(std::span<const uint8_t> bytes, bool isReadable) {
     const ObjectId object = world.spawn(start.asset, {}).value();
     const auto restored = world.restore(object, bytes);
     require(isReadable || !restored, "the adapter restores what the core can read");
-    requireWhole(*start.asset, world.poses());
+    requireWhole(*world.structure(object), world.poses());
     if (!restored) {
         require(!restored.error().message.empty(), "an error says what");
         require(world.bodyCount() == 1, "a refused save changes nothing");
@@ -91,7 +104,7 @@ void restoreInBullet(std::span<const uint8_t> bytes, bool isReadable) {
     start.bullet.step();
     world.afterStep(test::kStep);
     (void)world.breakAll(object);
-    require(world.poses().size() == start.asset->graph().leafCount(), "all of it breaks");
+    require(world.poses().size() == leavesLeft(*world.structure(object)), "all of it breaks");
 }
 
 void restoreInTable(SavedObject&& saved) {
@@ -100,15 +113,16 @@ void restoreInTable(SavedObject&& saved) {
     IslandWorld world(bodies);
     const ObjectId object = world.spawn(asset, {}, {}, true, {});
     restoreObject(world, object.index, std::move(saved));
+    const Structure& structure = *world.object(object.index).structure;
     require(world.takeEvents().empty(), "restoring fires nothing");
-    requireWhole(*asset, world.poses());
+    requireWhole(structure, world.poses());
     for (uint32_t i = 0; i < world.islands().size(); ++i)
         if (world.island(i).isAlive) world.follow(i);
     world.workOnStress({0, -10, 0}, 16);
     world.workOnStress({0, -1e9F, 0}, 16);
-    requireWhole(*asset, world.poses());
+    requireWhole(structure, world.poses());
     world.breakAll(object.index);
-    require(world.poses().size() == asset->graph().leafCount(), "all of it breaks");
+    require(world.poses().size() == leavesLeft(structure), "all of it breaks");
     world.remove(object.index);
 }
 

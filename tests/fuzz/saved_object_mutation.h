@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Mutations that know what a saved object consists of: lists of what is open, weak and pinned, and
-// islands. One number is changed, or one item of a list dropped, doubled or moved; counts stay
-// right most of the time.
+// Mutations that know what a saved object consists of: lists of what is open, weak, pinned and
+// gone, and islands. One number is changed, or one item of a list dropped, doubled or moved; counts
+// stay right most of the time.
 #pragma once
 
 #include <algorithm>
@@ -27,13 +27,13 @@ struct SavedParts {
     struct Island {
         std::vector<uint32_t> fragments;
         uint8_t flags = 0;
-        uint64_t bornAt = 0;
+        uint64_t bornAt = 0, fadingSince = 0;
         std::array<uint32_t, 27> numbers{};  ///< two poses and the motion of the body
         std::array<uint8_t, 41> body{};      ///< Bullet's
     };
     uint32_t mark = 0;
     uint64_t savedAt = 0, bake = 0;
-    std::vector<uint32_t> opened, pinned;
+    std::vector<uint32_t> opened, pinned, gone;
     std::vector<Weak> weak;
     std::vector<Island> islands;
     uint32_t engine = 0;
@@ -50,11 +50,13 @@ struct SavedParts {
             parts.weak.push_back({bond, from.u32()});
         }
         for (uint32_t n = from.count(4); n > 0; --n) parts.pinned.push_back(from.u32());
+        for (uint32_t n = from.count(4); n > 0; --n) parts.gone.push_back(from.u32());
         for (uint32_t n = from.count(100); n > 0; --n) {
             Island& island = parts.islands.emplace_back();
             for (uint32_t f = from.count(4); f > 0; --f) island.fragments.push_back(from.u32());
             island.flags = from.u8();
             island.bornAt = from.u64();
+            island.fadingSince = from.u64();
             for (uint32_t& number : island.numbers) number = from.u32();
         }
         parts.engine = from.u32();
@@ -80,12 +82,15 @@ struct SavedParts {
         }
         to.u32(uint32_t(pinned.size()));
         for (const uint32_t leaf : pinned) to.u32(leaf);
+        to.u32(uint32_t(gone.size()));
+        for (const uint32_t f : gone) to.u32(f);
         to.u32(uint32_t(islands.size()));
         for (const Island& island : islands) {
             to.u32(uint32_t(island.fragments.size()));
             for (const uint32_t f : island.fragments) to.u32(f);
             to.u8(island.flags);
             to.u64(island.bornAt);
+            to.u64(island.fadingSince);
             for (const uint32_t number : island.numbers) to.u32(number);
         }
         to.u32(engine);
@@ -174,7 +179,10 @@ class SavedObjectMutation {
         if (parts.islands.empty()) return;
         SavedParts::Island& island = parts.islands[below(parts.islands.size())];
         SavedParts::Island& another = parts.islands[below(parts.islands.size())];
-        switch (below(7)) {
+        switch (below(8)) {
+            case 7:
+                island.fadingSince = otherDouble(island.fadingSince);
+                break;
             case 0:  // some of its fragments go to another one
                 if (&island == &another) break;
                 while (!island.fragments.empty() && below(3) != 0) {
@@ -233,6 +241,14 @@ class SavedObjectMutation {
                 break;
             case 3:
                 changeList(parts.islands, [&](SavedParts::Island& island) { island = {}; });
+                break;
+            case 5:  // with or without the island that it was
+                if (parts.islands.empty()) break;
+                for (const uint32_t f : parts.islands.back().fragments) parts.gone.push_back(f);
+                if (below(4) != 0) parts.islands.pop_back();
+                changeList(parts.gone, [&](uint32_t& f) {
+                    if (below(2) == 0) f = otherIndex(f);
+                });
                 break;
             case 4:
                 if (below(4) == 0)
