@@ -255,10 +255,10 @@ class IslandWorld {
 
     std::vector<FragmentPose> poses_;
     bool posesListed_ = false;
+    bool anyFading_ = false;  ///< of the poses listed
+    float fade_ = 1;          ///< s
     std::vector<BreakEvent> pending_, taken_;
 
-    float fade_ = 1;
-    bool anyFading_ = false;  ///< of the poses listed
     std::vector<RemovalEvent> pendingRemovals_, takenRemovals_;
 };
 
