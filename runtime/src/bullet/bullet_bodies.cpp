@@ -54,6 +54,7 @@ btRigidBody::btRigidBodyConstructionInfo BulletBodies::describe(Body& slot,
     slot.overlaps = prepared.overlaps.get();
     slot.object = island.object.index;
     slot.firstFragment = island.fragments.front();
+    slot.isFixed = island.mass == 0;
     slot.diagonal = island.asset->diagonal();
     slot.frame = toBullet(island.frame);
     btCollisionShape* shape = shapes.shape(island.fragments.front());
@@ -245,14 +246,13 @@ bool BulletBodies::readPoses(IslandWorld& islands, bool withUnbreakable) {
         if (!slot.body) continue;
         // As Bullet's own motion states, what sleeps is not asked where it is.
         const bool isActive = slot.body->isActive();
-        const bool isFixed = slot.body->getInvMass() == 0;
         if (!slot.isKnown) {
             slot.isKnown = true;
             slot.isBreakable = withUnbreakable || islands.isBreakable(i);
         }
         isTouchable =
             isTouchable || (slot.isBreakable && (isActive || slot.body->isStaticObject()));
-        if (isActive && !isFixed && slot.firstFragment != 0) ++awakeDebris_;
+        if (isActive && !slot.isFixed && slot.firstFragment != 0) ++awakeDebris_;
         if (!isActive && slot.isStill) continue;
         const btTransform& now = slot.body->getWorldTransform();
         const bool isStill = now == slot.seen;

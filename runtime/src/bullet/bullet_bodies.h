@@ -116,22 +116,24 @@ class BulletBodies final : public BodyTable, private BodyOwner {
 
   private:
     struct Body {
-        BodyPointer body;                    ///< null: there is none
+        // What every substep asks of every body lies together.
+        BodyPointer body;  ///< null: there is none
+        bool isStill = false;
+        bool isKnown = false;      ///< whether it is breakable:
+        bool isBreakable = false;  ///< that changes only with the body
+        bool isFixed = false;      ///< by Sherd
+        uint32_t firstFragment = 0;
         DebrisBody* freezable = nullptr;     ///< the same, made here
         std::unique_ptr<IslandShape> shape;  ///< null: its only fragment's own
         const FragmentShapes* shapes = nullptr;
         const RestOverlaps* overlaps = nullptr;
         uint32_t object = 0;
-        uint32_t firstFragment = 0;
-        float diagonal = 0;  ///< of the object, metres
-        btTransform frame;   ///< body to object
-        btTransform seen;    ///< where it was when its pose was read last
-        bool isStill = false;
-        bool isKnown = false;      ///< whether it is breakable:
-        bool isBreakable = false;  ///< that changes only with the body
-        int worldIndex = -1;       ///< where an adopted body was seen in Bullet's list
-        int gamesNumber = 0;       ///< what it carried as user index 3
-        btTransform mass;          ///< of an adopted body: where the island's own frame is in it
+        float diagonal = 0;   ///< of the object, metres
+        btTransform frame;    ///< body to object
+        btTransform seen;     ///< where it was when its pose was read last
+        int worldIndex = -1;  ///< where an adopted body was seen in Bullet's list
+        int gamesNumber = 0;  ///< what it carried as user index 3
+        btTransform mass;     ///< of an adopted body: where the island's own frame is in it
     };
     struct Adopted {
         btRigidBody* body = nullptr;

@@ -21,6 +21,7 @@ void BulletBodies::adopt(Body& slot, const IslandBody& island) {
     slot.freezable = nullptr;
     slot.object = island.object.index;
     slot.firstFragment = island.fragments.front();
+    slot.isFixed = body.isStaticOrKinematicObject();
     slot.diagonal = island.asset->diagonal();
     slot.frame = adopted.objectToBody.inverse();
     slot.mass = adopted.objectToBody * toBullet(island.frame);

@@ -75,7 +75,9 @@ void QuietDebris::add(uint32_t island, btRigidBody& body, DebrisBody* freezable,
     if (nodes_.size() <= island) nodes_.resize(island + 1);
     Node& node = nodes_[island];
     node.body = &body;
+    freezableCount_ -= node.freezable ? 1 : 0;
     node.freezable = std::isfinite(after_) && mass > 0 ? freezable : nullptr;
+    freezableCount_ += node.freezable ? 1 : 0;
     node.mass = mass;
     node.inertia = inertia;
     node.isInWorld = body.isInWorld();
@@ -97,6 +99,7 @@ void QuietDebris::forget(uint32_t island) {
         if ((to & kForeign) == 0) thawBorne(to);
     }
     nodes_[island].body = nullptr;
+    freezableCount_ -= nodes_[island].freezable ? 1 : 0;
     nodes_[island].freezable = nullptr;
 }
 
@@ -361,6 +364,7 @@ void QuietDebris::step(double time) {
     held_.clear();
     gone_.clear();
     touched_.clear();
+    if (freezableCount_ == 0) return;  // and nothing is linked to any
     for (uint32_t island = 0; island < nodes_.size(); ++island) {
         Node& node = nodes_[island];
         if (!node.body || (!node.freezable && node.links.empty())) continue;

@@ -142,7 +142,7 @@ class QuietDebris {
     bool giveGravity_ = false;  ///< to what thaws
     double time_ = 0;
     uint32_t tick_ = 0;
-    uint32_t frozenCount_ = 0;
+    uint32_t frozenCount_ = 0, freezableCount_ = 0;
     Vector<Node> nodes_;  ///< per island
     Vector<Other> others_;
     Vector<uint32_t> held_, queue_, candidates_;
