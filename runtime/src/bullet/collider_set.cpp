@@ -20,7 +20,7 @@ ColliderSet::ColliderSet(const ColliderSet& from)
     for (int i = 0; i < from.m_children.size(); ++i) m_children.push_back(from.m_children[i]);
     m_localAabbMin = from.m_localAabbMin;
     m_localAabbMax = from.m_localAabbMax;
-    if (!m_dynamicAabbTree) return;
+    if (!m_dynamicAabbTree || !from.m_dynamicAabbTree) return;
     Linker linker(m_children);
     from.m_dynamicAabbTree->clone(*m_dynamicAabbTree, &linker);
     m_dynamicAabbTree->m_leaves = from.m_dynamicAabbTree->m_leaves;

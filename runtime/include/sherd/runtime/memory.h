@@ -40,10 +40,10 @@ class Allocator {
     Allocator(const Allocator<U>& other) : memory_(&other.memory()) {}
 
     T* allocate(size_t count) {
-        return static_cast<T*>(memory_->allocate(count * sizeof(T), alignof(T)));
+        return std::pmr::polymorphic_allocator<T>(memory_).allocate(count);
     }
     void deallocate(T* items, size_t count) {
-        memory_->deallocate(items, count * sizeof(T), alignof(T));
+        std::pmr::polymorphic_allocator<T>(memory_).deallocate(items, count);
     }
     /// A copy is a container made now.
     [[nodiscard]] Allocator select_on_container_copy_construction() const { return {}; }
