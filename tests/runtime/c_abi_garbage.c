@@ -38,6 +38,8 @@ static void check_worlds(sherd_world world, sherd_object object, sherd_asset ass
     CHECK(sherd_detach(world, object, 0) == SHERD_GONE);
     CHECK(sherd_break_all(world, object) == SHERD_GONE);
     CHECK(sherd_heal(world, object, 1) == SHERD_GONE);
+    CHECK(sherd_set_load(world, object, 0, NULL) == SHERD_BAD_ARGUMENT);
+    CHECK(sherd_remove_piece(world, object, 0) == SHERD_GONE);
     CHECK(sherd_anchor(world, object, 0, 1) == SHERD_GONE);
     CHECK(sherd_anchor_in_box(world, object, zero, zero, &count) == SHERD_GONE && count == 0);
     CHECK(sherd_save(world, object, NULL, 0, &size) == SHERD_GONE && size == 0);

@@ -131,6 +131,19 @@ static void check_breaking(sherd_asset asset) {
         if (table->alive[i]) mass += table->mass[i];
     CHECK(fabs(mass - whole.mass) < 1e-5 * whole.mass);
 
+    const float load[3] = {0, -10, 0}, none[3] = {0, NAN, 0};
+    CHECK(sherd_set_load(world, object, 0, load) == SHERD_OK);
+    CHECK(sherd_set_load(world, object, 0, none) == SHERD_BAD_ARGUMENT);
+    CHECK(sherd_set_load(world, object, info.fragment_count, load) == SHERD_BAD_ARGUMENT);
+    CHECK(sherd_allow_bodies(world, UINT32_MAX, UINT32_MAX) == SHERD_OK);
+    uint32_t before = 0, after = 0;
+    const sherd_fragment_pose* standing = sherd_poses(world, &before);
+    const uint32_t first = standing[0].fragment;
+    CHECK(sherd_remove_piece(world, object, first) == SHERD_OK);
+    CHECK(sherd_remove_piece(world, object, first) == SHERD_GONE);
+    (void)sherd_poses(world, &after);
+    CHECK(after < before);
+
     contact.island = 4000;
     CHECK(sherd_report_contact(world, &contact, &consumed, NULL) == SHERD_GONE);
     CHECK(sherd_remove(world, object) == SHERD_OK);

@@ -57,6 +57,7 @@ Outcome play(const std::shared_ptr<const Asset>& shared, Newest& newest) {
     bullet.addGround(0);
     DestructionWorld destruction(bullet.world);
     std::vector<ObjectId> row;
+    row.reserve(4);
     for (int i = 0; i < 4; ++i)
         row.push_back(destruction.spawn(shared, at(3.0F * float(i), 0.55F, 0)).value());
     for (int i = 0; i < 4; ++i)

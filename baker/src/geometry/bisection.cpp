@@ -230,8 +230,10 @@ void closeMarks(const BisectedTriangles& mesh, const std::function<double(uint32
         marked[h] = 1;
         marks.push_back(h);
     };
-    for (size_t i = 0; i < marks.size(); ++i) {
-        const uint32_t h = marks[i];
+    // It grows meanwhile.
+    size_t next = 0;
+    while (next < marks.size()) {
+        const uint32_t h = marks[next++];
         if (mesh.opposite[h] != kNone) mark(mesh.opposite[h]);
         const uint32_t t = h / 3;
         mark(3 * t + static_cast<uint32_t>(longestSide(t, length2)));

@@ -245,6 +245,24 @@ sherd_status sherd_anchor(sherd_world world, sherd_object object, uint32_t fragm
     });
 }
 
+sherd_status sherd_set_load(sherd_world world, sherd_object object, uint32_t fragment,
+                            const float force[3]) {
+    if (!force) return SHERD_BAD_ARGUMENT;
+    return withObject(world, object, [&](IslandWorld& islands, uint32_t index) {
+        return islands.setLoad(index, {fragment, vec(force)}) ? SHERD_OK : SHERD_BAD_ARGUMENT;
+    });
+}
+
+sherd_status sherd_remove_piece(sherd_world world, sherd_object object, uint32_t fragment) {
+    return withObject(world, object, [&](IslandWorld& islands, uint32_t index) {
+        const uint32_t island = islands.findIsland(index, fragment);
+        if (island == UINT32_MAX) return SHERD_GONE;
+        islands.removeIsland(island, RemovalReason::game);
+        (void)islands.takeRemovals();
+        return SHERD_OK;
+    });
+}
+
 sherd_status sherd_anchor_in_box(sherd_world world, sherd_object object, const float low[3],
                                  const float high[3], uint32_t* leaves) {
     if (leaves) *leaves = 0;
@@ -264,6 +282,14 @@ sherd_status sherd_work_on_stress(sherd_world handle, const float gravity[3], ui
         world->islands.workOnStress(vec(gravity), iterations);
         return SHERD_OK;
     });
+}
+
+sherd_status sherd_allow_bodies(sherd_world handle, uint32_t bodies, uint32_t moving) {
+    const Entered world(handle);
+    if (!world) return world.status();
+    world->islands.allowBodies(bodies);
+    world->islands.allowAwake(moving);
+    return SHERD_OK;
 }
 
 sherd_status sherd_save(sherd_world world, sherd_object object, void* bytes, size_t capacity,

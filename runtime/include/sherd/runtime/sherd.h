@@ -31,7 +31,7 @@ extern "C" {
 
 /* Grows when anything here changes. `sherd_abi_version` tells what the library was built with, and
  * `sherd_version` of which release it is, such as "0.1.0". */
-#define SHERD_ABI_VERSION 2
+#define SHERD_ABI_VERSION 3
 SHERD_API uint32_t sherd_abi_version(void);
 SHERD_API const char* sherd_version(void);
 
@@ -342,6 +342,22 @@ SHERD_API float sherd_bond_health(sherd_world world, sherd_object object, uint32
 /* The same of all bonds of a fragment, by area; 1 when it has none, -1: there is no such fragment.
  */
 SHERD_API float sherd_fragment_health(sherd_world world, sherd_object object, uint32_t fragment);
+/* What a fragment, of any level, must carry beside its weight until this is called for it again: N,
+ * world, at its centre of mass; zero: nothing. It strains the bonds of what is anchored, also within
+ * what is whole yet, and moves nothing. */
+SHERD_API sherd_status sherd_set_load(sherd_world world, sherd_object object, uint32_t fragment,
+                                      const float force[3]);
+
+/* How many bodies hits, area damage and load may still make, and how many of them may move, until
+ * the next call: where there would be more, there are fewer and larger ones now. UINT32_MAX, as
+ * without any call: no limit. */
+SHERD_API sherd_status sherd_allow_bodies(sherd_world world, uint32_t bodies, uint32_t moving);
+
+/* Takes the body that a standing fragment is part of out for good. What is left of the object stays,
+ * also when nothing is. */
+SHERD_API sherd_status sherd_remove_piece(sherd_world world, sherd_object object,
+                                          uint32_t fragment);
+
 /* How overloaded a bond is, of the anchored object that was solved last: > 1 breaks; 0: not known.
  */
 SHERD_API float sherd_overload(sherd_world world, sherd_object object, uint32_t bond);
