@@ -62,6 +62,7 @@ struct Taken {
 Taken playThrough(BulletWorld& bullet, DestructionWorld& destruction, const CountingMemory& memory,
                   const std::shared_ptr<const Asset>& asset, int walls) {
     std::vector<ObjectId> objects;
+    objects.reserve(size_t(walls));
     for (int w = 0; w < walls; ++w)
         objects.push_back(destruction.spawn(asset, at(4 * float(w), 1, 0)).value());
     Taken taken;
