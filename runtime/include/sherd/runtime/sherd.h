@@ -343,8 +343,8 @@ SHERD_API float sherd_bond_health(sherd_world world, sherd_object object, uint32
  */
 SHERD_API float sherd_fragment_health(sherd_world world, sherd_object object, uint32_t fragment);
 /* What a fragment, of any level, must carry beside its weight until this is called for it again: N,
- * world, at its centre of mass; zero: nothing. It strains the bonds of what is anchored, also within
- * what is whole yet, and moves nothing. */
+ * world, at its centre of mass; zero: nothing. It strains the bonds of what is anchored, also
+ * within what is whole yet, and moves nothing. */
 SHERD_API sherd_status sherd_set_load(sherd_world world, sherd_object object, uint32_t fragment,
                                       const float force[3]);
 
@@ -353,8 +353,8 @@ SHERD_API sherd_status sherd_set_load(sherd_world world, sherd_object object, ui
  * without any call: no limit. */
 SHERD_API sherd_status sherd_allow_bodies(sherd_world world, uint32_t bodies, uint32_t moving);
 
-/* Takes the body that a standing fragment is part of out for good. What is left of the object stays,
- * also when nothing is. */
+/* Takes the body that a standing fragment is part of out for good. What is left of the object
+ * stays, also when nothing is. */
 SHERD_API sherd_status sherd_remove_piece(sherd_world world, sherd_object object,
                                           uint32_t fragment);
 
