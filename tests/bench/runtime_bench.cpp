@@ -18,6 +18,7 @@
 
 #include "bullet/fragment_shapes.h"
 #include "impact/bullet_world.h"
+#include "process_heap.h"
 #include "sherd/runtime/structure.h"
 
 namespace {
@@ -257,6 +258,7 @@ double bytesOfWhole() {
 }  // namespace
 
 int main(int argc, char** argv) {
+    cli::keepFreedMemory();
     const int runs = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
     HitSolver solver;
     IslandFinder finder;
@@ -277,8 +279,14 @@ int main(int argc, char** argv) {
     for (const glm::ivec3 counts :
          {glm::ivec3(4, 5, 5), glm::ivec3(10, 10, 10), glm::ivec3(10, 20, 25)}) {
         const auto asset = cubes(counts);
-        const double ours = smallest(runs, [&] { return breakBySherd(asset); });
-        const double hand = smallest(runs, [&] { return breakByHand(asset); });
+        // In turns: whoever comes first gets the heap's memory fresh, and pays for it.
+        double ours = HUGE_VAL, hand = HUGE_VAL;
+        for (int i = 0; i <= runs; ++i) {
+            const double byHand = breakByHand(asset), bySherd = breakBySherd(asset);
+            if (i == 0) continue;
+            hand = std::min(hand, byHand);
+            ours = std::min(ours, bySherd);
+        }
         std::printf("  %6u%40.2f%12.2f%8.2f\n", asset->graph().leafCount(), ours, hand,
                     ours / hand);
     }
