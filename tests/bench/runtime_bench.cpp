@@ -12,14 +12,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <memory_resource>
 #include <utility>
 #include <vector>
 
-#include "bullet/fragment_shapes.h"
 #include "impact/bullet_world.h"
+#include "impact/by_hand.h"
 #include "process_heap.h"
 #include "sherd/runtime/structure.h"
+#include "support/counting_memory.h"
 
 namespace {
 
@@ -81,12 +81,7 @@ double breakByHand(const std::shared_ptr<const Asset>& asset) {
     const FragmentShapes shapes(asset);
     std::vector<std::unique_ptr<btRigidBody>> bodies;
     const auto add = [&](uint32_t f) {
-        const Fragment& fragment = asset->fragment(f);
-        const glm::vec3& inertia = fragment.inertiaDiagonal;
-        btRigidBody::btRigidBodyConstructionInfo info(fragment.mass, nullptr, shapes.shape(f),
-                                                      {inertia.x, inertia.y, inertia.z});
-        info.m_startWorldTransform = shapes.bodyFrame(f);
-        bodies.push_back(std::make_unique<btRigidBody>(info));
+        bodies.push_back(bodyByHand(shapes, f));
         bullet.world.addRigidBody(bodies.back().get());
     };
     add(0);
@@ -119,12 +114,9 @@ double stepWithIntact(bool withSherd, bool asleep) {
             const ObjectId object = destruction->spawn(asset, at(x, 0.1F, z)).value();
             body = destruction->body(object);
         } else {
-            const Fragment& whole = asset->fragment(0);
-            const glm::vec3& inertia = whole.inertiaDiagonal;
-            btRigidBody::btRigidBodyConstructionInfo info(whole.mass, nullptr, shapes.shape(0),
-                                                          {inertia.x, inertia.y, inertia.z});
-            info.m_startWorldTransform.setOrigin(btVector3(x, 0.1F, z));
-            bodies.push_back(std::make_unique<btRigidBody>(info));
+            bodies.push_back(bodyByHand(shapes, 0));
+            bodies.back()->setWorldTransform(
+                btTransform(btQuaternion::getIdentity(), btVector3(x, 0.1F, z)));
             body = bodies.back().get();
             bullet.world.addRigidBody(body);
         }
@@ -225,34 +217,17 @@ double stepOfQuietHeap(bool freezes) {
 
 /// Of memory, per object, where there are many of them.
 double bytesOfWhole() {
-    class Counting final : public std::pmr::memory_resource {
-      public:
-        size_t bytes = 0;
-
-      private:
-        void* do_allocate(size_t size, size_t alignment) override {
-            bytes += size;
-            return std::pmr::new_delete_resource()->allocate(size, alignment);
-        }
-        void do_deallocate(void* memory, size_t size, size_t alignment) override {
-            bytes -= size;
-            std::pmr::new_delete_resource()->deallocate(memory, size, alignment);
-        }
-        [[nodiscard]] bool do_is_equal(const memory_resource& other) const noexcept override {
-            return this == &other;
-        }
-    };
     constexpr int kObjects = 16384;
-    Counting counting;
+    CountingMemory counting;
     BulletWorld bullet;
     WorldOptions options;
     options.allocator = &counting;
     DestructionWorld destruction(bullet.world, options);
     const auto asset = cubes({2, 2, 2});
-    const size_t before = counting.bytes;
+    const size_t before = counting.bytes();
     for (int i = 0; i < kObjects; ++i) (void)destruction.spawn(asset, at(float(i), 0, 0)).value();
     (void)destruction.poses();
-    return double(counting.bytes - before) / kObjects;
+    return double(counting.bytes() - before) / kObjects;
 }
 
 }  // namespace

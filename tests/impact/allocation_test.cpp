@@ -4,11 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
-#include <memory_resource>
 
-#include "bullet/fragment_shapes.h"
 #include "impact/bullet_world.h"
+#include "impact/by_hand.h"
 #include "support/allocation_count.h"
+#include "support/counting_memory.h"
 
 using namespace sherd;
 using namespace sherd::test;
@@ -31,26 +31,6 @@ std::shared_ptr<const Asset> anchoredWall() {
     }
     return Asset::fromFractureSet(std::move(set)).value();
 }
-
-/// Counts what is asked of the heap through it.
-class CountingMemory final : public std::pmr::memory_resource {
-  public:
-    [[nodiscard]] uint64_t count() const { return count_; }
-
-  private:
-    void* do_allocate(size_t bytes, size_t alignment) override {
-        ++count_;
-        return std::pmr::new_delete_resource()->allocate(bytes, alignment);
-    }
-    void do_deallocate(void* memory, size_t bytes, size_t alignment) override {
-        std::pmr::new_delete_resource()->deallocate(memory, bytes, alignment);
-    }
-    [[nodiscard]] bool do_is_equal(const memory_resource& other) const noexcept override {
-        return this == &other;
-    }
-
-    uint64_t count_ = 0;
-};
 
 struct Taken {
     uint64_t byAllocator = 0;
@@ -168,12 +148,7 @@ TEST_CASE("Bullet takes no more memory for a break than when the same is done by
         const FragmentShapes shapes(asset);
         std::vector<std::unique_ptr<btRigidBody>> bodies;
         const auto add = [&](uint32_t f) {
-            const Fragment& fragment = asset->fragment(f);
-            const glm::vec3& inertia = fragment.inertiaDiagonal;
-            btRigidBody::btRigidBodyConstructionInfo info(fragment.mass, nullptr, shapes.shape(f),
-                                                          {inertia.x, inertia.y, inertia.z});
-            info.m_startWorldTransform = shapes.bodyFrame(f);
-            bodies.push_back(std::make_unique<btRigidBody>(info));
+            bodies.push_back(bodyByHand(shapes, f));
             bullet.world.addRigidBody(bodies.back().get());
         };
         add(0);

@@ -182,12 +182,27 @@ class DestructionWorld::Impl final : public btActionInterface {
 
     /// Breaks something of an object by `breakIt`. What was at rest may rest on.
     template <class Break>
-    auto release(uint32_t object, const Break& breakIt) {
+    void release(uint32_t object, const Break& breakIt) {
         const bool rests = releasesAsleep.size() > object && releasesAsleep[object] != 0 &&
                            isAtRest(islands, bodies, object);
-        const auto result = breakIt();
+        breakIt();
         if (rests) restWhatIsBorne(world, islands, bodies, object);
-        return result;
+        bodies.released().settle();
+    }
+
+    bool breakOut(ObjectId object, uint32_t fragment, bool whole) {
+        const MemoryScope scope(memory);
+        if (!isThere(object)) return false;
+        bool isBroken = false;
+        release(object.index,
+                [&] { isBroken = islands.breakFragment(object.index, fragment, whole); });
+        return isBroken;
+    }
+
+    uint32_t dealArea(uint32_t object, const AreaDamage& damage) {
+        uint32_t broken = 0;
+        release(object, [&] { broken = islands.dealArea(object, damage); });
+        return broken;
     }
 
     /// Leaves whose shape, at its place in the world, is wanted.
@@ -385,33 +400,17 @@ bool DestructionWorld::remove(ObjectId object) {
 }
 
 bool DestructionWorld::breakFragment(ObjectId object, uint32_t fragment) {
-    const MemoryScope scope(impl_->memory);
-    if (!impl_->isThere(object)) return false;
-    const bool broken = impl_->release(
-        object.index, [&] { return impl_->islands.breakFragment(object.index, fragment, false); });
-    if (!broken) return false;
-    impl_->bodies.released().settle();
-    return true;
+    return impl_->breakOut(object, fragment, false);
 }
 
 bool DestructionWorld::detach(ObjectId object, uint32_t fragment) {
-    const MemoryScope scope(impl_->memory);
-    if (!impl_->isThere(object)) return false;
-    const bool broken = impl_->release(
-        object.index, [&] { return impl_->islands.breakFragment(object.index, fragment, true); });
-    if (!broken) return false;
-    impl_->bodies.released().settle();
-    return true;
+    return impl_->breakOut(object, fragment, true);
 }
 
 bool DestructionWorld::breakAll(ObjectId object) {
     const MemoryScope scope(impl_->memory);
     if (!impl_->isThere(object)) return false;
-    (void)impl_->release(object.index, [&] {
-        impl_->islands.breakAll(object.index);
-        return true;
-    });
-    impl_->bodies.released().settle();
+    impl_->release(object.index, [&] { impl_->islands.breakAll(object.index); });
     return true;
 }
 
@@ -434,10 +433,7 @@ Result<uint32_t> DestructionWorld::damage(ObjectId object, const AreaDamage& dam
     if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
     if (!impl_->isThere(object))
         return fail(ErrorCode::badArgument, "the object is gone", "object");
-    const uint32_t broken =
-        impl_->release(object.index, [&] { return impl_->islands.dealArea(object.index, damage); });
-    impl_->bodies.released().settle();
-    return broken;
+    return impl_->dealArea(object.index, damage);
 }
 
 Result<uint32_t> DestructionWorld::damage(const AreaDamage& damage) {
@@ -445,10 +441,7 @@ Result<uint32_t> DestructionWorld::damage(const AreaDamage& damage) {
     if (const char* why = whyRefused(damage)) return fail(ErrorCode::badArgument, why, "damage");
     uint32_t broken = 0;
     for (uint32_t object = 0; object < impl_->islands.objectCount(); ++object)
-        if (impl_->isThere(impl_->islands.idOf(object)))
-            broken +=
-                impl_->release(object, [&] { return impl_->islands.dealArea(object, damage); });
-    impl_->bodies.released().settle();
+        if (impl_->isThere(impl_->islands.idOf(object))) broken += impl_->dealArea(object, damage);
     return broken;
 }
 

@@ -13,6 +13,7 @@
 #include "core/asset_validation.h"
 #include "core/finite.h"
 #include "core/mass_properties.h"
+#include "core/rigid_pose.h"
 #include "core/scaled_body.h"
 #include "sherd/formats/glb_read.h"
 
@@ -80,19 +81,6 @@ Result<void> checkComposed(const std::vector<Fragment>& fragments) {
     return {};
 }
 
-Asset::Box boxAround(const FractureSet& set, const Fragment& fragment) {
-    Asset::Box box{glm::vec3(HUGE_VALF), glm::vec3(-HUGE_VALF)};
-    for (uint32_t h = 0; h < fragment.hulls.count; ++h) {
-        const ConvexHull& hull = set.hulls[fragment.hulls.first + h];
-        for (uint32_t p = 0; p < hull.points.count; ++p) {
-            const glm::vec3& point = set.hullPoints[hull.points.first + p];
-            box.low = glm::min(box.low, point - hull.margin);
-            box.high = glm::max(box.high, point + hull.margin);
-        }
-    }
-    return box;
-}
-
 float boundingDiagonal(const std::vector<glm::vec3>& points) {
     if (points.empty()) return 0;
     glm::vec3 low = points[0];
@@ -153,7 +141,8 @@ Asset::Asset(FractureSet set) : set_(std::move(set)), graph_(set_) {
     // An anchor holds the object to the world, not its pieces together.
     for (const BondGraph::Bond& bond : graph_.bonds())
         if (bond.b != BondGraph::kWorld) breakEnergy_[bond.parting] += bond.area * bond.toughness;
-    for (const Fragment& fragment : set_.fragments) boxes_.push_back(boxAround(set_, fragment));
+    boxes_.reserve(set_.fragments.size());
+    for (uint32_t f = 0; f < fragmentCount(); ++f) boxes_.push_back(boxAt(f, {}));
     composeMasses(set_.fragments);
     const glm::dvec3 center(set_.fragments[0].centerOfMass);
     massMoments_.reserve(set_.fragments.size());
@@ -202,6 +191,29 @@ Result<std::shared_ptr<const Asset>> Asset::scaled(const std::shared_ptr<const A
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::limitExceeded, "not enough memory for the scaled object");
     }
+}
+
+Asset::Box Asset::boxAt(uint32_t f, const RigidPose& pose) const {
+    const Range hulls = set_.fragments[f].hulls;
+    Box box{glm::vec3(HUGE_VALF), glm::vec3(-HUGE_VALF)};
+    for (uint32_t h = hulls.first; h < hulls.first + hulls.count; ++h) {
+        const ConvexHull& hull = set_.hulls[h];
+        for (uint32_t p = hull.points.first; p < hull.points.first + hull.points.count; ++p) {
+            const glm::vec3 point = pose * set_.hullPoints[p];
+            box.low = glm::min(box.low, point - hull.margin);
+            box.high = glm::max(box.high, point + hull.margin);
+        }
+    }
+    return box;
+}
+
+Asset::Box Asset::boxAround(std::span<const uint32_t> fragments) const {
+    Box around = boxes_[fragments.front()];
+    for (const uint32_t f : fragments) {
+        around.low = glm::min(around.low, boxes_[f].low);
+        around.high = glm::max(around.high, boxes_[f].high);
+    }
+    return around;
 }
 
 float Asset::distance(const Box& box, const glm::vec3& point) {

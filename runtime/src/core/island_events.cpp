@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What an IslandWorld tells of what happened.
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/rigid_pose.h"
 #include "sherd/runtime/island_world.h"
 
 namespace sherd {
@@ -46,13 +44,8 @@ void IslandWorld::addIslandEvent(const IslandBody& body, uint32_t from) {
     event.fragments = uint32_t(body.fragments.size());
     event.from = from;
     event.isFixed = body.mass == 0;
-    Asset::Box box = body.asset->box(body.fragments.front());
-    for (const uint32_t fragment : body.fragments) {
-        event.mass += body.asset->fragment(fragment).mass;
-        box.low = glm::min(box.low, body.asset->box(fragment).low);
-        box.high = glm::max(box.high, body.asset->box(fragment).high);
-    }
-    event.size = sizeOf(box);
+    event.mass = float(islands_[body.island].mass);
+    event.size = sizeOf(body.asset->boxAround(body.fragments));
     event.center = body.motion.pose.translation;
     event.velocity = body.motion.linearVelocity;
     event.time = time_;

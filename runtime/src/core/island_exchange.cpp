@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Islands of an IslandWorld that go, and assets that take others' places.
-#include <algorithm>
-
 #include "core/rigid_pose.h"
 #include "sherd/runtime/island_world.h"
 
@@ -9,18 +7,8 @@ namespace sherd {
 
 void IslandWorld::lose(uint32_t index) {
     const uint32_t owner = islands_[index].object;
-    Object& object = objects_[owner];
-    islands_[index].isAlive = false;
-    --islandCount_;
-    if (index == stressed_) isStressNew_ = true;
-    std::erase(strained_, index);
-    std::erase(fading_, index);
-    std::erase(object.islands, index);
-    object.heaviest = UINT32_MAX;
-    for (const uint32_t fragment : islands_[index].fragments) object.structure->discard(fragment);
-    freeIslands_.push_back(index);
-    poses_.noteRegrouped(owner);
-    if (object.islands.empty()) remove(owner);
+    takeOut(index);
+    if (objects_[owner].islands.empty()) remove(owner);
 }
 
 bool IslandWorld::exchange(uint32_t index, std::shared_ptr<const Asset> asset) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How single islands of an IslandWorld fade and go.
 #include <algorithm>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/rigid_pose.h"
@@ -19,11 +18,7 @@ DebrisInfo IslandWorld::describePiece(uint32_t index) const {
     piece.level = asset.fragment(piece.fragment).level;
     piece.position = (island.pose * island.frame).translation;
     piece.mass = float(island.mass);
-    Asset::Box around = asset.box(piece.fragment);
-    for (const uint32_t fragment : island.fragments) {
-        around.low = glm::min(around.low, asset.box(fragment).low);
-        around.high = glm::max(around.high, asset.box(fragment).high);
-    }
+    const Asset::Box around = asset.boxAround(island.fragments);
     piece.size = glm::distance(around.low, around.high);
     return piece;
 }
@@ -54,9 +49,15 @@ void IslandWorld::removeIsland(uint32_t index, RemovalReason why) {
     RemovalEvent event{describePiece(index), time_};
     event.why = why;
     removals_.add(event);
+    bodies_.remove(index);
+    takeOut(index);
+}
+
+/// An island without a body, and what it consists of, are no part of its object any more.
+void IslandWorld::takeOut(uint32_t index) {
     Object& object = objects_[islands_[index].object];
     for (const uint32_t fragment : islands_[index].fragments) object.structure->discard(fragment);
-    dropIsland(index);
+    forgetIsland(index);
     freeIslands_.push_back(index);
     std::erase(object.islands, index);
     object.heaviest = UINT32_MAX;

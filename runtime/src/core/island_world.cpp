@@ -67,8 +67,7 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     return idOf(index);
 }
 
-void IslandWorld::dropIsland(uint32_t island) {
-    bodies_.remove(island);
+void IslandWorld::forgetIsland(uint32_t island) {
     islands_[island].isAlive = false;
     --islandCount_;
     // Its number may be given to another object's.
@@ -79,7 +78,10 @@ void IslandWorld::dropIsland(uint32_t island) {
 
 void IslandWorld::removeIslands(uint32_t index) {
     Object& object = objects_[index];
-    for (const uint32_t island : object.islands) dropIsland(island);
+    for (const uint32_t island : object.islands) {
+        bodies_.remove(island);
+        forgetIsland(island);
+    }
     // Backwards, so that the slots are handed out again in the order they were given up.
     freeIslands_.insert(freeIslands_.end(), object.islands.rbegin(), object.islands.rend());
     object.islands.clear();

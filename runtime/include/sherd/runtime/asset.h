@@ -68,6 +68,10 @@ class Asset {
     /// Metres; 0 inside.
     static float distance(const Box& box, const glm::vec3& point);
     [[nodiscard]] const Box& box(uint32_t f) const { return boxes_[f]; }
+    /// The same where `pose` puts the object, along the axes of its world.
+    [[nodiscard]] Box boxAt(uint32_t f, const RigidPose& pose) const;
+    /// Around the boxes of some fragments; one at least.
+    [[nodiscard]] Box boxAround(std::span<const uint32_t> fragments) const;
 
     /// Energy that breaking every bond among the children of f would consume at dissipation 1: the
     /// sum of toughness x area, J. 0 when they share none.

@@ -258,7 +258,8 @@ class IslandWorld {
     [[nodiscard]] uint32_t fragmentNear(uint32_t island, const glm::vec3& point) const;
     void create(IslandBody body, const RigidPose* bodyPose = nullptr);
     void removeIslands(uint32_t object);
-    void dropIsland(uint32_t island);
+    void forgetIsland(uint32_t island);
+    void takeOut(uint32_t island);
     Change regroup(uint32_t island, bool isLimited);
     void keepToBudget(uint32_t island);
     uint32_t dealTo(uint32_t island, const AreaDamage& damage, const glm::vec3& point,
