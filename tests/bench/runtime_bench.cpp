@@ -4,7 +4,7 @@
 //
 // usage: sherd_bench_runtime [RUNS]
 //
-// Milliseconds, the smallest of RUNS (5) runs.
+// Milliseconds, the smallest of RUNS (5) runs; of steps with whole objects the median of 200 RUNS.
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
@@ -96,38 +96,63 @@ double breakByHand(const std::shared_ptr<const Asset>& asset) {
     return time;
 }
 
-/// Per step, with a thousand objects that nothing hits; without Sherd, the bodies are the game's.
-double stepWithIntact(bool withSherd, bool asleep) {
-    constexpr int kObjects = 1000, kSteps = 60;
-    BulletWorld bullet(btVector3(0, -10, 0));
-    bullet.addGround(0);
-    const auto asset = cubes({2, 2, 2});
-    const FragmentShapes shapes(asset);
-    std::unique_ptr<DestructionWorld> destruction;
-    if (withSherd) destruction = std::make_unique<DestructionWorld>(bullet.world);
-    std::vector<std::unique_ptr<btRigidBody>> bodies;
-    for (int i = 0; i < kObjects; ++i) {
-        const int row = i / 32;
-        const float x = 0.5F * float(i % 32) - 8, z = 0.5F * float(row) - 8;
-        btRigidBody* body = nullptr;
-        if (withSherd) {
-            const ObjectId object = destruction->spawn(asset, at(x, 0.1F, z)).value();
-            body = destruction->body(object);
-        } else {
-            bodies.push_back(bodyByHand(shapes, 0));
-            bodies.back()->setWorldTransform(
-                btTransform(btQuaternion::getIdentity(), btVector3(x, 0.1F, z)));
-            body = bodies.back().get();
-            bullet.world.addRigidBody(body);
+/// A thousand objects that nothing hits; without Sherd, the bodies are the game's.
+class IntactObjects {
+  public:
+    IntactObjects(bool withSherd, bool asleep)
+        : asset_(cubes({2, 2, 2})), shapes_(asset_), bullet_(btVector3(0, -10, 0)) {
+        bullet_.addGround(0);
+        if (withSherd) destruction_ = std::make_unique<DestructionWorld>(bullet_.world);
+        for (int i = 0; i < 1000; ++i) {
+            const float x = 0.5F * float(i % 32) - 8, z = 0.5F * float(i / 32) - 8;
+            btRigidBody& body = add(at(x, 0.1F, z));
+            if (!asleep) body.setActivationState(DISABLE_DEACTIVATION);
         }
-        if (!asleep) body->setActivationState(DISABLE_DEACTIVATION);
+        for (int i = 0; i < (asleep ? 240 : 60); ++i) bullet_.step();
     }
-    for (int i = 0; i < (asleep ? 240 : 60); ++i) bullet.step();
-    const double time = milliseconds([&] {
-        for (int i = 0; i < kSteps; ++i) bullet.step();
-    });
-    for (const auto& body : bodies) bullet.world.removeRigidBody(body.get());
-    return time / kSteps;
+    ~IntactObjects() {
+        for (const auto& body : bodies_) bullet_.world.removeRigidBody(body.get());
+    }
+    IntactObjects(const IntactObjects&) = delete;
+    IntactObjects& operator=(const IntactObjects&) = delete;
+
+    double timeStep() {
+        return milliseconds([&] { bullet_.step(); });
+    }
+
+  private:
+    btRigidBody& add(const RigidPose& pose) {
+        if (destruction_) return *destruction_->body(destruction_->spawn(asset_, pose).value());
+        bodies_.push_back(bodyByHand(shapes_, 0));
+        btRigidBody& body = *bodies_.back();
+        const glm::vec3& place = pose.translation;
+        body.setWorldTransform(
+            btTransform(btQuaternion::getIdentity(), btVector3(place.x, place.y, place.z)));
+        bullet_.world.addRigidBody(&body);
+        return body;
+    }
+
+    std::shared_ptr<const Asset> asset_;
+    FragmentShapes shapes_;
+    BulletWorld bullet_;
+    std::unique_ptr<DestructionWorld> destruction_;
+    std::vector<std::unique_ptr<btRigidBody>> bodies_;
+};
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    return values[values.size() / 2];
+}
+
+/// Of steps with Sherd and without, which are made in turns.
+std::pair<double, double> stepWithIntact(bool asleep, int steps) {
+    IntactObjects sherd(true, asleep), plain(false, asleep);
+    std::vector<double> ours, without;
+    for (int i = 0; i < steps; ++i) {
+        ours.push_back(sherd.timeStep());
+        without.push_back(plain.timeStep());
+    }
+    return {median(ours), median(without)};
 }
 
 /// Parts knocked off a wall of ten thousand fragments, one hit after the other: the first, which
@@ -278,9 +303,8 @@ int main(int argc, char** argv) {
         wall->graph().leafCount(), swaps.first, swaps.longest, swaps.median, swaps.bodies);
     std::printf("a step with 1,000 whole objects%17s%12s%8s\n", "Sherd", "without", "more");
     for (const bool asleep : {false, true}) {
-        const double ours = smallest(runs, [&] { return stepWithIntact(true, asleep); });
-        const double without = smallest(runs, [&] { return stepWithIntact(false, asleep); });
-        std::printf("  %-32s%14.3f%12.3f%5.1f us\n", asleep ? "asleep" : "awake", ours, without,
+        const auto [ours, without] = stepWithIntact(asleep, 200 * runs);
+        std::printf("  %-32s%14.3f%12.3f%7.1f us\n", asleep ? "asleep" : "awake", ours, without,
                     1e3 * (ours - without));
     }
     std::printf("Sherd's own part of a step with 5,000 pieces that move\n");

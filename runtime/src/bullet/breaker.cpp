@@ -48,7 +48,7 @@ float takeEnergy(btCollisionObject& a, btCollisionObject& b, const btVector3& po
 
 /// Two bodies that hit each other.
 struct Breaker::Strike {
-    size_t pair;
+    const Meeting& meeting;
     std::array<btCollisionObject*, 2> bodies{};
     std::array<uint32_t, 2> fragments{};
     btVector3 point{0, 0, 0};
@@ -56,9 +56,12 @@ struct Breaker::Strike {
 };
 
 void Breaker::measure(float dt, bool inStep) {
-    bodies_.markBreakable(breakable_);
-    contacts_.gather(world_, dt, inStep, std::min(islands_.leastEnergy(), leastImpact_),
-                     breakable_);
+    ApproachWatch& watch = bodies_.approaches();
+    if (!watch.sawAll() || !contacts_.gather(world_, dt, inStep, watch.approaches())) {
+        bodies_.markBreakable(breakable_);
+        contacts_.gather(world_, dt, inStep, std::min(islands_.leastEnergy(), leastImpact_),
+                         breakable_);
+    }
     findMeetings();
 }
 
@@ -84,7 +87,7 @@ void Breaker::findMeetings() {
             return velocityAt(*contacts_.body(index), contacts_.motionBefore(index), pair.point) -
                    contacts_.pushOfForces(index);
         };
-        Meeting meeting{p, {}, 0, {}};
+        Meeting meeting{p, {}, 0, {}, {}};
         if (islands[0] != kNoIsland)
             meeting.fragments[0] = bodies_.fragmentAt(islands[0], pair.childA, pair.point);
         if (islands[1] != kNoIsland)
@@ -107,6 +110,18 @@ void Breaker::findMeetings() {
     });
 }
 
+/// What comes apart gives others back what it took from them: now all contacts count.
+void Breaker::seeRest() {
+    if (contacts_.isWhole()) return;
+    for (Meeting& meeting : meetings_) {
+        const SolvedPair& pair = contacts_.pairs()[meeting.pair];
+        meeting.bodies = {contacts_.body(pair.a), contacts_.body(pair.b)};
+    }
+    contacts_.gatherRest(world_);
+    for (Meeting& meeting : meetings_)
+        meeting.pair = contacts_.find(*meeting.bodies[0], *meeting.bodies[1]);
+}
+
 void Breaker::listImpact(const Meeting& meeting) {
     const SolvedPair& pair = contacts_.pairs()[meeting.pair];
     ReportedHit hit;
@@ -126,7 +141,7 @@ void Breaker::listImpact(const Meeting& meeting) {
 /// the islands instead of the whole in the next substep.
 void Breaker::applyMeeting(const Meeting& meeting) {
     const SolvedPair& pair = contacts_.pairs()[meeting.pair];
-    Strike strike{meeting.pair,
+    Strike strike{meeting,
                   {contacts_.body(pair.a), contacts_.body(pair.b)},
                   meeting.fragments,
                   pair.point,
@@ -165,6 +180,7 @@ float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact,
     const float consumed = hit.consumed;
     const uint32_t struck = hit.struck;
     if (!hit.brokeSomething()) return consumed;
+    seeRest();
 
     BreakEvent event;
     event.point = toGlm(strike.point);
@@ -174,8 +190,8 @@ float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact,
     event.fragment = fragment;
     event.approachSpeed = contact.approachSpeed;
     if (islands_.regroup(island) == IslandWorld::Change::apart) {
-        const SolvedPair& pair = contacts_.pairs()[strike.pair];
-        surplus += contacts_.undoAround(strike.pair, kShockShare * pair.normalImpulse);
+        const SolvedPair& pair = contacts_.pairs()[strike.meeting.pair];
+        surplus += contacts_.undoAround(strike.meeting.pair, kShockShare * pair.normalImpulse);
         // Along the normal first; a graze that has too little there gives the rest sideways, as
         // friction.
         const float wanted = consumed + surplus;
@@ -192,7 +208,7 @@ float Breaker::strikeSide(Strike& strike, uint32_t side, const Contact& contact,
         surplus = 0;
         contacts_.forget(side == 0 ? pair.a : pair.b);
     } else if (bodies_.isAdopted(island)) {
-        const SolvedPair& pair = contacts_.pairs()[strike.pair];
+        const SolvedPair& pair = contacts_.pairs()[strike.meeting.pair];
         contacts_.forget(side == 0 ? pair.a : pair.b);  // it gives way, and may be deleted
     }
     (void)islands_.split(island, event);

@@ -29,10 +29,12 @@ class Breaker {
         Contact contact;
         float energy;
         std::array<uint32_t, 2> fragments;  ///< struck; shapes may change before their turn
+        std::array<const btCollisionObject*, 2> bodies;  ///< while the rest is seen
     };
     struct Strike;
 
     void findMeetings();
+    void seeRest();
     void listImpact(const Meeting& meeting);
     void applyMeeting(const Meeting& meeting);
     [[nodiscard]] bool canTakeDamage(uint32_t island, const Meeting& meeting) const;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bullet/bullet_bodies.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "bullet/convert.h"
@@ -26,8 +30,9 @@ std::span<const uint32_t> BulletBodies::fragmentsOf(uint32_t island) const {
 }
 
 void BulletBodies::attach(IslandWorld& islands, std::span<const BodyRule> rules,
-                          GameListener* listener) {
+                          GameListener* listener, float leastImpact) {
     islands_ = &islands;
+    leastImpact_ = leastImpact;
     rules_ = rules;
     listener_ = listener;
 }
@@ -56,12 +61,13 @@ btRigidBody::btRigidBodyConstructionInfo BulletBodies::describe(Body& slot,
     slot.firstFragment = island.fragments.front();
     slot.isFixed = island.mass == 0;
     slot.diagonal = island.asset->diagonal();
-    slot.frame = toBullet(island.frame);
+    const btTransform frame = toBullet(island.frame);
+    slot.objectToBody = frame.inverse();
     btCollisionShape* shape = shapes.shape(island.fragments.front());
     if (island.fragments.size() > 1) {
         if (!slot.shape) {
             slot.shape = takeShape();
-            slot.shape->build(shapes, island.fragments, slot.frame, marks_);
+            slot.shape->build(shapes, island.fragments, frame, marks_);
         }
         shape = slot.shape->shape();
     }
@@ -113,8 +119,8 @@ void BulletBodies::create(const IslandBody& island) {
 /// Only pieces that came off freeze: what is whole sleeps as the game's own bodies do.
 void BulletBodies::watchQuiet(const IslandBody& island) {
     const Body& slot = bodies_[island.island];
-    quiet_.add(island.island, *slot.body, slot.firstFragment != 0 ? slot.freezable : nullptr,
-               island.mass, toBullet(island.inertia));
+    quiet_.add(island.island, *slot.body, slot.firstFragment != 0 ? slot.own : nullptr, island.mass,
+               toBullet(island.inertia));
 }
 
 /// Bullet lets sleep what lay on a body that goes.
@@ -134,7 +140,8 @@ void BulletBodies::wakeAround(const btRigidBody& body) {
 void BulletBodies::make(Body& slot, const IslandBody& island) {
     auto* body = new OwnBody(describe(slot, island), *this, island.island);
     slot.body = BodyPointer(body);
-    slot.freezable = body;
+    slot.own = body;
+    slot.own->watch(OwnBody::Watch::breakable, true);  // until it is known
     slot.body->setUserIndex3(int(island.island));
     slot.seen = slot.body->getWorldTransform();
     slot.isStill = slot.isKnown = false;
@@ -171,6 +178,7 @@ void BulletBodies::update(const IslandBody& island) {
     body.setInterpolationWorldTransform(info.m_startWorldTransform);
     slot.seen = info.m_startWorldTransform;
     slot.isStill = slot.isKnown = false;
+    slot.own->watch(OwnBody::Watch::breakable, true);
     body.setMassProps(info.m_mass, info.m_localInertia);
     body.updateInertiaTensor();
     body.setFriction(info.m_friction);
@@ -216,7 +224,7 @@ void BulletBodies::remove(uint32_t island) {
         world_.removeRigidBody(slot.body.get());
     }
     slot.body.reset();
-    slot.freezable = nullptr;
+    slot.own = nullptr;
     dropShape(std::move(slot.shape));
 }
 
@@ -238,7 +246,12 @@ BodyMotion BulletBodies::motion(uint32_t island) const {
     return motion;
 }
 
-bool BulletBodies::readPoses(IslandWorld& islands, bool withUnbreakable) {
+bool BulletBodies::readPoses(IslandWorld& islands) {
+    const bool withUnbreakable = leastImpact_ < HUGE_VALF;
+    // A game's own near callback may not ask.
+    const auto* dispatcher = dynamic_cast<btCollisionDispatcher*>(world_.getDispatcher());
+    if (!dispatcher || dispatcher->getNearCallback() != btCollisionDispatcher::defaultNearCallback)
+        approaches_.miss();
     bool isTouchable = false;
     awakeDebris_ = 0;
     for (uint32_t i = 0; i < bodies_.size(); ++i) {
@@ -249,7 +262,9 @@ bool BulletBodies::readPoses(IslandWorld& islands, bool withUnbreakable) {
         if (!slot.isKnown) {
             slot.isKnown = true;
             slot.isBreakable = withUnbreakable || islands.isBreakable(i);
+            if (slot.own) slot.own->watch(OwnBody::Watch::breakable, slot.isBreakable);
         }
+        if (slot.isBreakable && !(slot.own && slot.own->keepWatch())) approaches_.miss();
         isTouchable =
             isTouchable || (slot.isBreakable && (isActive || slot.body->isStaticObject()));
         if (isActive && !slot.isFixed && slot.firstFragment != 0) ++awakeDebris_;
@@ -257,7 +272,7 @@ bool BulletBodies::readPoses(IslandWorld& islands, bool withUnbreakable) {
         const btTransform& now = slot.body->getWorldTransform();
         const bool isStill = now == slot.seen;
         if (!isStill) {
-            islands.moveTo(i, toPose(now * slot.frame.inverse()));
+            islands.moveTo(i, toPose(now * slot.objectToBody));
             slot.seen = now;
         } else if (!slot.isStill) {
             islands.stayPut(i);
@@ -265,6 +280,12 @@ bool BulletBodies::readPoses(IslandWorld& islands, bool withUnbreakable) {
         slot.isStill = isStill;
     }
     return isTouchable;
+}
+
+void BulletBodies::onNear(const OwnBody& body, const btCollisionObject& other) {
+    if (body.isWatchedAs(OwnBody::Watch::frozen)) quiet_.onNear(body.island(), other);
+    if (body.isWatchedAs(OwnBody::Watch::breakable))
+        approaches_.note(body, other, std::min(islands_->leastEnergy(), leastImpact_));
 }
 
 void BulletBodies::markBreakable(Vector<uint8_t>& marks) const {

@@ -4,10 +4,12 @@
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
 
+#include "bullet/approach_watch.h"
 #include "bullet/asset_store.h"
 #include "bullet/body_rules.h"
 #include "bullet/constraint_mover.h"
@@ -35,8 +37,10 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     BulletBodies(const BulletBodies&) = delete;
     BulletBodies& operator=(const BulletBodies&) = delete;
 
-    /// Before the first body: whose islands these are, what rules say, and who listens, or null.
-    void attach(IslandWorld& islands, std::span<const BodyRule> rules, GameListener* listener);
+    /// Before the first body: whose islands these are, what rules say, who listens, or null, and
+    /// the energy from which any contact counts, J.
+    void attach(IslandWorld& islands, std::span<const BodyRule> rules, GameListener* listener,
+                float leastImpact);
     /// Shapes of assets, by size.
     [[nodiscard]] AssetStore& assets() { return assets_; }
     /// Bullet's filter bits for bodies of the object that comes next; both 0: Bullet's defaults.
@@ -73,8 +77,11 @@ class BulletBodies final : public BodyTable, private BodyOwner {
 
     /// After a substep: tells the world where its islands are. Returns whether contacts can have
     /// broken any of them: Bullet wakes what is touched, and the last pieces do not break; or can
-    /// have met any, `withUnbreakable`.
-    bool readPoses(IslandWorld& islands, bool withUnbreakable);
+    /// have met any, where every contact counts.
+    bool readPoses(IslandWorld& islands);
+
+    /// What came at those that may break, in the substep just done; as of `readPoses`.
+    [[nodiscard]] ApproachWatch& approaches() { return approaches_; }
 
     /// Marks those that may break, or be told of, by their places in Bullet's world; as of
     /// `readPoses`.
@@ -123,13 +130,13 @@ class BulletBodies final : public BodyTable, private BodyOwner {
         bool isBreakable = false;  ///< that changes only with the body
         bool isFixed = false;      ///< by Sherd
         uint32_t firstFragment = 0;
-        DebrisBody* freezable = nullptr;     ///< the same, made here
+        OwnBody* own = nullptr;              ///< the same, made here
         std::unique_ptr<IslandShape> shape;  ///< null: its only fragment's own
         const FragmentShapes* shapes = nullptr;
         const RestOverlaps* overlaps = nullptr;
         uint32_t object = 0;
-        float diagonal = 0;   ///< of the object, metres
-        btTransform frame;    ///< body to object
+        float diagonal = 0;  ///< of the object, metres
+        btTransform objectToBody;
         btTransform seen;     ///< where it was when its pose was read last
         int worldIndex = -1;  ///< where an adopted body was seen in Bullet's list
         int gamesNumber = 0;  ///< what it carried as user index 3
@@ -149,6 +156,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     btRigidBody* letGo(uint32_t island);
     [[nodiscard]] bool isStillThere(uint32_t island);
     void forgetDeleted(uint32_t island) override;
+    void onNear(const OwnBody& body, const btCollisionObject& other) override;
     void lose(uint32_t island);
     template <class Call>
     void tell(const Call& call) {
@@ -169,6 +177,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     IslandWorld* islands_ = nullptr;
     std::span<const BodyRule> rules_;
     GameListener* listener_ = nullptr;
+    float leastImpact_ = HUGE_VALF;
     bool isTelling_ = false;
     AssetStore assets_;
     Vector<BodyFilter> filters_;  ///< per object
@@ -178,6 +187,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     btRigidBody* replaced_ = nullptr;  ///< the game's body that is coming apart
     Vector<btRigidBody*> parts_;
     Vector<Body> bodies_;  ///< per island
+    ApproachWatch approaches_;
     IslandShape::Marks marks_;
     Vector<std::unique_ptr<IslandShape>> spareShapes_;
     uint32_t awakeDebris_ = 0;

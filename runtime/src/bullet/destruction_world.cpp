@@ -138,7 +138,7 @@ class DestructionWorld::Impl final : public btActionInterface {
           islands(bodies, options.maxPendingEvents),
           breaker(bullet, bodies, islands, options.leastImpact),
           debris(options.debris) {
-        bodies.attach(islands, settings.rules, settings.listener);
+        bodies.attach(islands, settings.rules, settings.listener, settings.leastImpact);
         islands.setFade(settings.debris.fade);
         islands.allowBodies(settings.maxNewBodiesPerStep);
         islands.allowAwake(settings.maxAwakeBodies);
@@ -162,7 +162,7 @@ class DestructionWorld::Impl final : public btActionInterface {
         lastStep = dt;
         bodies.noticeGone();
         bodies.released().releaseSeparated();
-        const bool isTouchable = bodies.readPoses(islands, settings.leastImpact < HUGE_VALF);
+        const bool isTouchable = bodies.readPoses(islands);
         const uint32_t awake = bodies.awakeDebris();
         islands.allowAwake(settings.maxAwakeBodies - std::min(settings.maxAwakeBodies, awake));
         if (isTouchable) breaker.measure(dt, inStep);
@@ -177,6 +177,7 @@ class DestructionWorld::Impl final : public btActionInterface {
         debris.step(islands);
         bodies.quiet().step(islands.time());
         bodies.setInStep(false);
+        bodies.approaches().clear();
         islands.allowBodies(settings.maxNewBodiesPerStep);
     }
 

@@ -18,12 +18,12 @@ void BulletBodies::adopt(Body& slot, const IslandBody& island) {
     btRigidBody& body = *adopted.body;
     slot.body = BodyPointer(&body, BodyRelease{true});
     dropShape(std::move(slot.shape));
-    slot.freezable = nullptr;
+    slot.own = nullptr;
     slot.object = island.object.index;
     slot.firstFragment = island.fragments.front();
     slot.isFixed = body.isStaticOrKinematicObject();
     slot.diagonal = island.asset->diagonal();
-    slot.frame = adopted.objectToBody.inverse();
+    slot.objectToBody = adopted.objectToBody;
     slot.mass = adopted.objectToBody * toBullet(island.frame);
     slot.seen = body.getWorldTransform();
     slot.isStill = slot.isKnown = false;
@@ -75,7 +75,7 @@ void BulletBodies::forgetDeleted(uint32_t island) {
     quiet_.forget(island);
     released_.forget(island);
     (void)bodies_[island].body.release();
-    bodies_[island].freezable = nullptr;
+    bodies_[island].own = nullptr;
     lose(island);
 }
 

@@ -6,26 +6,34 @@
 #include <cstdint>
 #include <memory>
 
-#include "bullet/quiet_debris.h"
-
 namespace sherd {
 
 /// At once, and until something touches it.
 void putToSleep(btRigidBody& body);
 
-/// Who must know that the game has deleted a body of Sherd's.
+class OwnBody;
+
+/// Who must know what happens to a body of Sherd's.
 class BodyOwner {
   public:
     virtual ~BodyOwner() = default;
+    /// The game has deleted it.
     virtual void forgetDeleted(uint32_t island) = 0;
+    /// Something awake is near it, or it is awake; contacts have not been solved yet.
+    virtual void onNear(const OwnBody& body, const btCollisionObject& other) = 0;
 };
 
-/// A body that Sherd makes. Games that clear Bullet's world delete whatever they find in it: then
-/// it tells, so that nobody looks at it again.
-class OwnBody final : public DebrisBody {
+/// A body that Sherd makes. Bullet asks it about everything that comes near while one of the two is
+/// awake, before contacts are solved: the only place where a body can still be given back in time,
+/// or seen as it came. Games that clear Bullet's world delete whatever they find in it: then it
+/// tells, so that nobody looks at it again.
+class OwnBody final : public btRigidBody {
   public:
+    /// Why Bullet must ask.
+    enum class Watch : uint8_t { frozen = 1, breakable = 2 };
+
     OwnBody(const btRigidBodyConstructionInfo& info, BodyOwner& owner, uint32_t island)
-        : DebrisBody(info), owner_(&owner), island_(island) {}
+        : btRigidBody(info), owner_(&owner), island_(island) {}
     ~OwnBody() override {
         if (owner_) owner_->forgetDeleted(island_);
     }
@@ -33,9 +41,30 @@ class OwnBody final : public DebrisBody {
     OwnBody& operator=(const OwnBody&) = delete;
     void disown() { owner_ = nullptr; }
 
+    [[nodiscard]] uint32_t island() const { return island_; }
+    [[nodiscard]] bool isWatchedAs(Watch why) const { return (watches_ & uint8_t(why)) != 0; }
+    void watch(Watch why, bool isOn) {
+        watches_ = uint8_t(isOn ? watches_ | uint8_t(why) : watches_ & ~uint8_t(why));
+        keepWatch();
+    }
+    /// A game that lets a pair collide again turns Bullet's question off. Returns false if it was.
+    bool keepWatch() {
+        const bool was = m_checkCollideWith != 0;
+        const bool isOn = watches_ != 0 || getNumObjectsWithoutCollision() > 0;
+        m_checkCollideWith = isOn ? 1 : 0;
+        return was || !isOn;
+    }
+
+    bool checkCollideWithOverride(const btCollisionObject* other) const override {
+        if (!btRigidBody::checkCollideWithOverride(other)) return false;
+        if (owner_ && watches_ != 0) owner_->onNear(*this, *other);
+        return true;
+    }
+
   private:
     BodyOwner* owner_;
     uint32_t island_;
+    uint8_t watches_ = 0;
 };
 
 /// Deletes Sherd's bodies, and lets go those of the game.

@@ -34,12 +34,6 @@ bool hasMoved(const btTransform& from, const btTransform& to, float radius, floa
 
 }  // namespace
 
-bool DebrisBody::checkCollideWithOverride(const btCollisionObject* other) const {
-    if (!btRigidBody::checkCollideWithOverride(other)) return false;
-    if (watcher_) watcher_->onNear(island_, *other);
-    return true;
-}
-
 uint32_t QuietDebris::islandOf(const btCollisionObject& object) const {
     const auto island = uint32_t(object.getUserIndex3());
     return island < nodes_.size() && nodes_[island].body == &object ? island : kNobody;
@@ -70,7 +64,7 @@ uint32_t QuietDebris::otherFor(const btCollisionObject& object) {
     return uint32_t(free) | kForeign;
 }
 
-void QuietDebris::add(uint32_t island, btRigidBody& body, DebrisBody* freezable, float mass,
+void QuietDebris::add(uint32_t island, btRigidBody& body, OwnBody* freezable, float mass,
                       const btVector3& inertia) {
     if (nodes_.size() <= island) nodes_.resize(island + 1);
     Node& node = nodes_[island];
@@ -180,7 +174,7 @@ void QuietDebris::touchBearer(uint32_t island, const btCollisionObject& bearer) 
 
 void QuietDebris::freeze(uint32_t island) {
     Node& node = nodes_[island];
-    DebrisBody& body = *node.freezable;
+    OwnBody& body = *node.freezable;
     const btVector3 zero(0, 0, 0);
     body.setLinearVelocity(zero);
     body.setAngularVelocity(zero);
@@ -189,7 +183,7 @@ void QuietDebris::freeze(uint32_t island) {
     body.setInterpolationWorldTransform(body.getWorldTransform());
     body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_STATIC_OBJECT);
     body.forceActivationState(ISLAND_SLEEPING);
-    body.setWatcher(this, island);
+    body.watch(OwnBody::Watch::frozen, true);
     node.isFrozen = true;
     node.pose = body.getWorldTransform();
     node.wakeSpeed = wakeSpeedOf(node);
@@ -198,12 +192,12 @@ void QuietDebris::freeze(uint32_t island) {
 
 void QuietDebris::thaw(uint32_t island) {
     Node& node = nodes_[island];
-    DebrisBody& body = *node.freezable;
+    OwnBody& body = *node.freezable;
     node.isFrozen = false;
     --frozenCount_;
     letGo(node);
     body.setCollisionFlags(body.getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT);
-    body.setWatcher(nullptr, island);
+    body.watch(OwnBody::Watch::frozen, false);
     body.forceActivationState(ACTIVE_TAG);
     body.setDeactivationTime(0);
     if (giveGravity_) body.applyGravity();
@@ -333,7 +327,7 @@ void QuietDebris::look(const Link& link, const btTransform& now, float radius) {
 
 void QuietDebris::watchFrozen(uint32_t island) {
     Node& node = nodes_[island];
-    const DebrisBody& body = *node.freezable;
+    const OwnBody& body = *node.freezable;
     node.freezable->keepWatch();
     const bool isTouched = body.isActive() || body.getLinearVelocity().length2() > 0 ||
                            body.getAngularVelocity().length2() > 0 ||

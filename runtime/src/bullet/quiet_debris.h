@@ -5,36 +5,13 @@
 
 #include <cstdint>
 #include <span>
+
+#include "bullet/own_body.h"
 #include "sherd/runtime/memory.h"
 
 class btDynamicsWorld;
 
 namespace sherd {
-
-class QuietDebris;
-
-/// A body that QuietDebris may freeze. Bullet asks it about everything awake that comes near,
-/// before contacts are solved: the only place where a body can still be given back in time.
-class DebrisBody : public btRigidBody {
-  public:
-    using btRigidBody::btRigidBody;
-
-    void setWatcher(QuietDebris* watcher, uint32_t island) {
-        watcher_ = watcher;
-        island_ = island;
-        keepWatch();
-    }
-    /// Letting a pair collide again turns Bullet's question off.
-    void keepWatch() {
-        m_checkCollideWith = watcher_ || getNumObjectsWithoutCollision() > 0 ? 1 : 0;
-    }
-
-    bool checkCollideWithOverride(const btCollisionObject* other) const override;
-
-  private:
-    QuietDebris* watcher_ = nullptr;
-    uint32_t island_ = 0;
-};
 
 /// Freezes quiet pieces one by one, where Bullet lets only a whole heap sleep at once. A frozen
 /// piece is asleep and marked as static, so it joins no heap of Bullet's and costs no solving; it
@@ -50,7 +27,7 @@ class QuietDebris {
     QuietDebris(btDynamicsWorld& world, float after) : world_(world), after_(after) {}
 
     /// A body of an island that came or changed. Null: of the game's class, it is only touched.
-    void add(uint32_t island, btRigidBody& body, DebrisBody* freezable, float mass,
+    void add(uint32_t island, btRigidBody& body, OwnBody* freezable, float mass,
              const btVector3& inertia);
     /// It is about to change or to go: it thaws, and so does what it bore or touched.
     void forget(uint32_t island);
@@ -89,8 +66,8 @@ class QuietDebris {
         btTransform pose;  ///< of the one that lists it, when it was last known at rest
     };
     struct Node {
-        btRigidBody* body = nullptr;      ///< null: there is none
-        DebrisBody* freezable = nullptr;  ///< the same; null: it may not be frozen
+        btRigidBody* body = nullptr;   ///< null: there is none
+        OwnBody* freezable = nullptr;  ///< the same; null: it may not be frozen
         float mass = 0;
         btVector3 inertia{0, 0, 0};
         float size = 0;       ///< radius around its centre, metres

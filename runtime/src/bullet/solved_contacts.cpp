@@ -15,15 +15,6 @@ namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
 
-btRigidBody* movable(btCollisionObject* object) {
-    btRigidBody* body = object ? btRigidBody::upcast(object) : nullptr;
-    return body && body->getInvMass() > 0 && !body->isStaticOrKinematicObject() ? body : nullptr;
-}
-
-const btRigidBody* movable(const btCollisionObject* object) {
-    return movable(const_cast<btCollisionObject*>(object));
-}
-
 bool awake(const btCollisionObject* object) {
     return movable(object) && object->isActive();
 }
@@ -62,16 +53,6 @@ SolvedPair sumPoints(const btPersistentManifold& manifold, const btVector3& orig
     return sum;
 }
 
-double kineticEnergy(const btRigidBody& body, const Motion& motion, const btMatrix3x3& axes) {
-    const btVector3 spin = motion.angular * axes;  // along the principal axes
-    const btVector3& inverse = body.getInvInertiaDiagLocal();
-    double energy = motion.linear.length2() / body.getInvMass();
-    for (int axis = 0; axis < 3; ++axis) {
-        if (inverse[axis] > 0) energy += spin[axis] * spin[axis] / inverse[axis];
-    }
-    return 0.5 * energy;
-}
-
 /// Where a body was before the substep moved it. Not simply back by v dt: pushing apart what
 /// penetrates moves bodies without giving them velocity. A contact point knows its place in the
 /// body and where that was in the world before the substep.
@@ -81,7 +62,9 @@ btTransform poseBefore(const btCollisionObject& object, const btVector3& contact
     if (!movable(&object)) return now;
     const Motion motion = motionNow(object);
     btTransform before;
-    btTransformUtil::integrateTransform(now, motion.linear, motion.angular, -dt, before);
+    // Not with a negative time: Bullet lets nothing turn more than a part of a turn in a step, and
+    // would take back what it did not do.
+    btTransformUtil::integrateTransform(now, -motion.linear, -motion.angular, dt, before);
     before.setOrigin(contactPoint - before.getBasis() * inBody);
     return before;
 }
@@ -173,41 +156,106 @@ void SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep, floa
                             std::span<const uint8_t> breakable) {
     dt_ = dt;
     inStep_ = inStep;
-    pairs_.clear();
-    bodies_.clear();
-    posesBefore_.clear();
-    if (!mayMatter(world, leastEnergy, breakable)) return;
-    localOf_.assign(size_t(world.getNumCollisionObjects()), kNone);
-    btDispatcher& dispatcher = *world.getDispatcher();
-    for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
-        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
-        if (manifold.getNumContacts() == 0) continue;
-        if (!awake(manifold.getBody0()) && !awake(manifold.getBody1())) continue;
-        auto* a = const_cast<btCollisionObject*>(manifold.getBody0());
-        auto* b = const_cast<btCollisionObject*>(manifold.getBody1());
-        const btManifoldPoint& any = manifold.getContactPoint(0);
-        const uint32_t localA = localIndex(*a, any.m_positionWorldOnA, any.m_localPointA);
-        const uint32_t localB = localIndex(*b, any.m_positionWorldOnB, any.m_localPointB);
-        // The same way round in every manifold of a pair of compounds, so that they can be summed.
-        const bool swapped = orderKey(*a) > orderKey(*b);
-        if (swapped) std::swap(a, b);
-        SolvedPair pair = sumPoints(manifold, a->getWorldTransform().getOrigin());
-        if (!(pair.normalImpulse > 0)) continue;
-        if (swapped) {
-            pair.normal = -pair.normal;
-            pair.impulse = -pair.impulse;
-            std::swap(pair.childA, pair.childB);
-            std::swap(pair.twistA, pair.twistB);
-            pair.twistA = -pair.twistA;
-            pair.twistB = -pair.twistB;
-        }
-        pair.a = swapped ? localB : localA;
-        pair.b = swapped ? localA : localB;
-        pair.order = uint32_t(pairs_.size());
-        pairs_.push_back(pair);
+    begin(world);
+    isWhole_ = true;
+    if (mayMatter(world, leastEnergy, breakable)) gatherAll(world);
+}
+
+bool SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep,
+                            std::span<const Approach> approaches) {
+    dt_ = dt;
+    inStep_ = inStep;
+    begin(world);
+    isWhole_ = false;
+    const btCollisionObjectArray& all = world.getCollisionObjectArray();
+    // Other actions may have removed bodies since.
+    const auto isThere = [&](const btCollisionObject* object, int index) {
+        return index >= 0 && index < all.size() && all[index] == object;
+    };
+    for (const Approach& approach : approaches) {
+        if (!isThere(approach.a, approach.indexA) || !isThere(approach.b, approach.indexB))
+            return false;
+        btBroadphasePair* pair =
+            world.getPairCache()->findPair(all[approach.indexA]->getBroadphaseHandle(),
+                                           all[approach.indexB]->getBroadphaseHandle());
+        if (!pair) return false;
+        if (!pair->m_algorithm) continue;
+        manifolds_.resizeNoInitialize(0);
+        pair->m_algorithm->getAllContactManifolds(manifolds_);
+        for (int m = 0; m < manifolds_.size(); ++m) addManifold(*manifolds_[m]);
     }
     mergePairs();
     linkBodies();
+    for (const Approach& approach : approaches) {
+        for (const auto& [index, motion] : {std::pair(approach.indexA, approach.motionA),
+                                            std::pair(approach.indexB, approach.motionB)}) {
+            const uint32_t local = localOf_[size_t(index)];
+            if (local == kNone) continue;
+            before_[local] = motion;
+            before_[local].linear += pushOfForces(local);
+        }
+    }
+    return true;
+}
+
+void SolvedContacts::gatherRest(btCollisionWorld& world) {
+    begin(world);
+    isWhole_ = true;
+    gatherAll(world);
+}
+
+size_t SolvedContacts::find(const btCollisionObject& a, const btCollisionObject& b) const {
+    const bool swapped = orderKey(a) > orderKey(b);
+    const auto key = std::pair(localOf_[size_t((swapped ? b : a).getWorldArrayIndex())],
+                               localOf_[size_t((swapped ? a : b).getWorldArrayIndex())]);
+    const auto found = std::lower_bound(
+        pairs_.begin(), pairs_.end(), key,
+        [](const SolvedPair& pair, const auto& k) { return std::pair(pair.a, pair.b) < k; });
+    const bool isFound = found != pairs_.end() && std::pair(found->a, found->b) == key;
+    return isFound ? size_t(found - pairs_.begin()) : pairs_.size();
+}
+
+void SolvedContacts::begin(const btCollisionWorld& world) {
+    pairs_.clear();
+    bodies_.clear();
+    posesBefore_.clear();
+    localOf_.assign(size_t(world.getNumCollisionObjects()), kNone);
+}
+
+void SolvedContacts::gatherAll(btCollisionWorld& world) {
+    localOf_.assign(size_t(world.getNumCollisionObjects()), kNone);
+    btDispatcher& dispatcher = *world.getDispatcher();
+    for (int m = 0; m < dispatcher.getNumManifolds(); ++m)
+        addManifold(*dispatcher.getManifoldByIndexInternal(m));
+    mergePairs();
+    linkBodies();
+}
+
+void SolvedContacts::addManifold(const btPersistentManifold& manifold) {
+    if (manifold.getNumContacts() == 0) return;
+    if (!awake(manifold.getBody0()) && !awake(manifold.getBody1())) return;
+    auto* a = const_cast<btCollisionObject*>(manifold.getBody0());
+    auto* b = const_cast<btCollisionObject*>(manifold.getBody1());
+    const btManifoldPoint& any = manifold.getContactPoint(0);
+    const uint32_t localA = localIndex(*a, any.m_positionWorldOnA, any.m_localPointA);
+    const uint32_t localB = localIndex(*b, any.m_positionWorldOnB, any.m_localPointB);
+    // The same way round in every manifold of a pair of compounds, so that they can be summed.
+    const bool swapped = orderKey(*a) > orderKey(*b);
+    if (swapped) std::swap(a, b);
+    SolvedPair pair = sumPoints(manifold, a->getWorldTransform().getOrigin());
+    if (!(pair.normalImpulse > 0)) return;
+    if (swapped) {
+        pair.normal = -pair.normal;
+        pair.impulse = -pair.impulse;
+        std::swap(pair.childA, pair.childB);
+        std::swap(pair.twistA, pair.twistB);
+        pair.twistA = -pair.twistA;
+        pair.twistB = -pair.twistB;
+    }
+    pair.a = swapped ? localB : localA;
+    pair.b = swapped ? localA : localB;
+    pair.order = uint32_t(pairs_.size());
+    pairs_.push_back(pair);
 }
 
 uint32_t SolvedContacts::localIndex(btCollisionObject& body, const btVector3& contactPoint,
@@ -370,37 +418,6 @@ float SolvedContacts::surplusEnergy() {
                    kineticEnergy(body, before_[index], posesBefore_[index].getBasis());
     }
     return float(std::max(surplus, 0.0));
-}
-
-btVector3 velocityAt(const btCollisionObject& body, const Motion& motion, const btVector3& point) {
-    return motion.linear + motion.angular.cross(point - body.getWorldTransform().getOrigin());
-}
-
-Motion motionNow(const btCollisionObject& object) {
-    const btRigidBody* body = btRigidBody::upcast(&object);
-    if (!body || body->isStaticObject()) return {};
-    return {body->getLinearVelocity(), body->getAngularVelocity()};
-}
-
-float effectiveMass(const btCollisionObject& a, const btCollisionObject& b, const btVector3& point,
-                    const btVector3& normal) {
-    btScalar inverse = 0;
-    for (const btCollisionObject* object : {&a, &b}) {
-        if (const btRigidBody* body = movable(object)) {
-            inverse += body->computeImpulseDenominator(point, normal);
-        }
-    }
-    return inverse > 0 ? 1 / inverse : 0;
-}
-
-void applyPair(btCollisionObject& a, btCollisionObject& b, const btVector3& point,
-               const btVector3& impulse) {
-    if (btRigidBody* body = movable(&a)) {
-        body->applyImpulse(impulse, point - body->getCenterOfMassPosition());
-    }
-    if (btRigidBody* body = movable(&b)) {
-        body->applyImpulse(-impulse, point - body->getCenterOfMassPosition());
-    }
 }
 
 }  // namespace sherd

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <cstdint>
 #include <span>
+
+#include "bullet/approach_watch.h"
+#include "bullet/body_motion.h"
 #include "sherd/runtime/memory.h"
 
 class btCollisionWorld;
@@ -29,11 +33,6 @@ struct SolvedPair {
     bool undone = false;
 };
 
-struct Motion {
-    btVector3 linear{0, 0, 0};
-    btVector3 angular{0, 0, 0};
-};
-
 /// What the solver did in the substep just done, read from Bullet's contact points, which hold the
 /// impulses applied until the next substep. Subtracting them gives every body's velocity from
 /// before the contact without having recorded it, whatever the game did to velocities in between.
@@ -45,6 +44,14 @@ class SolvedContacts {
     /// brought `leastEnergy`, J, there are no pairs.
     void gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy,
                 std::span<const uint8_t> breakable);
+    /// Reads only those pairs. False, and there are none, when Bullet no longer knows all of them.
+    bool gather(btCollisionWorld& world, float dt, bool inStep,
+                std::span<const Approach> approaches);
+    /// Reads the rest, before the first of the bodies changes. Places in `pairs` are others then.
+    void gatherRest(btCollisionWorld& world);
+    [[nodiscard]] bool isWhole() const { return isWhole_; }
+    /// Place of the pair of two bodies, before either changes; pairs().size(): they do not touch.
+    [[nodiscard]] size_t find(const btCollisionObject& a, const btCollisionObject& b) const;
 
     [[nodiscard]] const Vector<SolvedPair>& pairs() const { return pairs_; }
     /// Null once `forget` was called.
@@ -69,6 +76,9 @@ class SolvedContacts {
     void forget(uint32_t index) { bodies_[index] = nullptr; }
 
   private:
+    void begin(const btCollisionWorld& world);
+    void gatherAll(btCollisionWorld& world);
+    void addManifold(const btPersistentManifold& manifold);
     uint32_t localIndex(btCollisionObject& body, const btVector3& contactPoint,
                         const btVector3& inBody);
     [[nodiscard]] btVector3 pushOn(const btRigidBody& body) const;
@@ -94,23 +104,12 @@ class SolvedContacts {
     Vector<uint32_t> touched_;         ///< bodies whose velocity the last undo changed
     float dt_ = 0;
     bool inStep_ = false;
+    bool isWhole_ = true;
+    btManifoldArray manifolds_;   ///< of a pair
     Vector<uint32_t> localOf_;    ///< by Bullet's world array index
     Vector<uint32_t> firstLink_;  ///< per body, into links_
     Vector<uint32_t> links_;      ///< pairs
     Vector<size_t> queue_;        ///< pairs whose bodies are still to be spread from
 };
-
-/// Velocity of a body's material at a world point; zero for what is not a rigid body.
-btVector3 velocityAt(const btCollisionObject& body, const Motion& motion, const btVector3& point);
-Motion motionNow(const btCollisionObject& body);
-
-/// 1 / (1/m_a + 1/m_b) at the point along the normal, with rotation, kg. Fixed, kinematic and
-/// foreign kinds of body count as immovable. 0 when both are.
-float effectiveMass(const btCollisionObject& a, const btCollisionObject& b, const btVector3& point,
-                    const btVector3& normal);
-
-/// The opposite impulses +j n on a and -j n on b at one point.
-void applyPair(btCollisionObject& a, btCollisionObject& b, const btVector3& point,
-               const btVector3& impulse);
 
 }  // namespace sherd

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Bullet asks breakable bodies of what comes near, and only those contacts are read. Where it may
+// not ask, all of them are: the same must break.
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "impact/bullet_world.h"
+#include "support/property.h"
+
+using namespace sherd;
+using namespace sherd::test;
+
+namespace {
+
+btCollisionDispatcher& dispatcherOf(BulletWorld& bullet) {
+    return static_cast<btCollisionDispatcher&>(*bullet.world.getDispatcher());
+}
+
+/// A game's own, which does what Bullet's does.
+void ownNearCallback(btBroadphasePair& pair, btCollisionDispatcher& dispatcher,
+                     const btDispatcherInfo& info) {
+    btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+}
+
+enum class Reading { pairByPair, all, twice };
+
+struct Outcome {
+    std::vector<BreakEvent> events;
+    std::vector<bool> broken;  ///< per bond, of all objects
+};
+
+/// A ball strikes one of three objects that lean on each other, which may strike back.
+Outcome strike(uint32_t seed, Reading reading) {
+    Random random(seed);
+    const auto in = [&](double low, double high) { return float(random.in(low, high)); };
+    BulletWorld bullet(btVector3(0, -10, 0));
+    bullet.addGround(0);
+    if (reading == Reading::all) dispatcherOf(bullet).setNearCallback(ownNearCallback);
+    DestructionWorld destruction(bullet.world, drivenByHand());
+    const auto asset = makeBox({.size = {0.4F, 1, 0.4F}, .level2 = {1, 2, 2}, .toughness = 20});
+    std::vector<ObjectId> objects;
+    for (int i = 0; i < 3; ++i)
+        objects.push_back(destruction.spawn(asset, at(0.41F * float(i), 0.5F, 0)).value());
+    const bool isAnchored = random.oneIn(3);
+    if (isAnchored) (void)destruction.anchorInBox(objects[1], {-1, -1, -1}, {1, -0.4F, 1});
+    btRigidBody& ball =
+        bullet.addBall(in(0.05, 0.2), in(5, 60), btVector3(-1, in(0.3, 0.9), in(-0.2, 0.2)),
+                       btVector3(in(3, 20), in(-2, 2), in(-1, 1)));
+    ball.setAngularVelocity(btVector3(in(-9, 9), in(-9, 9), in(-9, 9)));
+    Outcome outcome;
+    for (int i = 0; i < 60 && outcome.events.empty(); ++i) {
+        if (reading == Reading::twice) bullet.world.performDiscreteCollisionDetection();
+        bullet.step();
+        destruction.afterStep(kStep);
+        const auto events = destruction.events();
+        outcome.events.assign(events.begin(), events.end());
+    }
+    for (const ObjectId object : objects)
+        for (uint32_t b = 0; b < asset->graph().bonds().size(); ++b)
+            outcome.broken.push_back(destruction.structure(object)->isBroken(b));
+    return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("contacts read pair by pair break the same as all of them read") {
+    int hits = 0;
+    for (const uint32_t seed : propertySeeds(1, 300)) {
+        CAPTURE(seed);
+        const Outcome some = strike(seed, Reading::pairByPair), all = strike(seed, Reading::all);
+        hits += all.events.empty() ? 0 : 1;
+        REQUIRE(some.events.size() == all.events.size());
+        // Where all are read, motion is worked back from impulses: not from what Bullet turned
+        // bodies by to push them apart.
+        for (size_t e = 0; e < all.events.size(); ++e) {
+            CHECK(some.events[e].object == all.events[e].object);
+            CHECK(some.events[e].fragment == all.events[e].fragment);
+            CHECK(some.events[e].energy == doctest::Approx(all.events[e].energy).epsilon(0.05));
+            CHECK(some.events[e].impulse == doctest::Approx(all.events[e].impulse).epsilon(0.01));
+            CHECK(some.events[e].bodies == all.events[e].bodies);
+        }
+        CHECK(some.broken == all.broken);
+    }
+    CHECK(hits > propertyCases(300) / 2);
+}
+
+TEST_CASE("a game that looks for collisions itself before the step breaks no more by it") {
+    for (const uint32_t seed : propertySeeds(1, 30)) {
+        CAPTURE(seed);
+        const Outcome once = strike(seed, Reading::pairByPair),
+                      twice = strike(seed, Reading::twice);
+        REQUIRE(once.events.size() == twice.events.size());
+        for (size_t e = 0; e < once.events.size(); ++e)
+            CHECK(once.events[e].energy == doctest::Approx(twice.events[e].energy).epsilon(0.01));
+    }
+}
+
+TEST_CASE("a body breaks after the game has let it collide again with another") {
+    BulletWorld bullet;
+    DestructionWorld destruction(bullet.world);
+    const ObjectId box = destruction.spawn(makeBox(), at(0, 0, 0)).value();
+    btRigidBody& ball = bullet.addBall(0.2F, 50, btVector3(-2, 0, 0), btVector3(10, 0, 0));
+    btRigidBody& body = *destruction.body(box);
+    bool isBroken = false;
+    for (int i = 0; i < 60 && !isBroken; ++i) {
+        // Bullet forgets then that it has to ask.
+        body.setIgnoreCollisionCheck(&ball, true);
+        body.setIgnoreCollisionCheck(&ball, false);
+        bullet.step();
+        isBroken = !destruction.events().empty();
+    }
+    CHECK(isBroken);
+}
+
+TEST_CASE("a hitter that another action takes away in the substep of its hit is not looked at") {
+    struct Thief : btActionInterface {
+        BulletWorld* bullet = nullptr;
+        btRigidBody* body = nullptr;
+        void updateAction(btCollisionWorld* /*world*/, btScalar /*dt*/) override {
+            if (!body || body->getLinearVelocity().x() > 9) return;
+            bullet->take(*body);
+            body = nullptr;
+        }
+        void debugDraw(btIDebugDraw* /*drawer*/) override {}
+    };
+    BulletWorld bullet;
+    Thief thief;
+    thief.bullet = &bullet;
+    bullet.world.addAction(&thief);
+    {
+        DestructionWorld destruction(bullet.world);
+        const ObjectId box = destruction.spawn(makeBox(), at(0, 0, 0)).value();
+        thief.body = &bullet.addBall(0.2F, 50, btVector3(-2, 0, 0), btVector3(10, 0, 0));
+        for (int i = 0; i < 60; ++i) bullet.step();
+        CHECK(thief.body == nullptr);
+        CHECK(destruction.isAlive(box));
+    }
+    bullet.world.removeAction(&thief);
+}
