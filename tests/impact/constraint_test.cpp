@@ -14,7 +14,7 @@ using namespace sherd::test;
 
 namespace {
 
-struct Listener final : GameListener {
+struct ConstraintListener final : GameListener {
     void onConstraintMoved(btTypedConstraint& constraint, btRigidBody& body) override {
         ++moved;
         last = &constraint;
@@ -30,7 +30,7 @@ struct Listener final : GameListener {
     btRigidBody* to = nullptr;
 };
 
-WorldOptions with(Listener& listener) {
+WorldOptions with(ConstraintListener& listener) {
     WorldOptions options;
     options.listener = &listener;
     return options;
@@ -57,7 +57,7 @@ using Make = std::function<std::unique_ptr<btTypedConstraint>(btRigidBody& body,
 struct Hung {
     btVector3 end;  ///< where the held end of the beam is, 1.5 s after it broke
     float others;   ///< height of the others' highest
-    Listener listener;
+    ConstraintListener listener;
 };
 
 /// Hangs the beam up by its end at x = `side`, breaks it all, and lets it swing.
@@ -173,7 +173,7 @@ TEST_CASE("a constraint of a kind that cannot move is taken out and reported, un
     for (const float side : {-1.0F, 1.0F}) {
         CAPTURE(side);
         BulletWorld bullet;
-        Listener listener;
+        ConstraintListener listener;
         DestructionWorld destruction(bullet.world, with(listener));
         const ObjectId object = destruction.spawn(beam(), at(0, 0, 0)).value();
         btRigidBody& body = *destruction.body(object);
@@ -191,7 +191,7 @@ TEST_CASE("a constraint of a kind that cannot move is taken out and reported, un
 TEST_CASE(
     "a constraint between two objects follows when either breaks, and when an adopted one does") {
     BulletWorld bullet(btVector3(0, -10, 0));
-    Listener listener;
+    ConstraintListener listener;
     DestructionWorld destruction(bullet.world, with(listener));
     btRigidBody& games = bullet.add(std::make_unique<btBoxShape>(btVector3(1, 0.1F, 0.1F)), 200,
                                     btVector3(0, 0, 0), btVector3(0, 0, 0));

@@ -48,7 +48,7 @@ struct Heap {
 /// Three layers, 216 pieces of 2 kg.
 const BoxFracture kHeap{.size = {1.2F, 0.3F, 1.2F}, .level1 = {12, 3, 6}};
 /// Bricks from fragment 1, the lowest, to 10.
-const BoxFracture kColumn{.size = {0.4F, 2, 0.4F}, .level1 = {1, 10, 1}};
+const BoxFracture kThinColumn{.size = {0.4F, 2, 0.4F}, .level1 = {1, 10, 1}};
 
 /// A ball that never stops turning beside a heap.
 uint32_t frozenBesideTurningBall(float freezeAfter) {
@@ -73,7 +73,7 @@ TEST_CASE("most of a heap is frozen while a ball beside it never stops turning")
 }
 
 TEST_CASE("a frozen piece is the same body in the same place of Bullet's world, with its mass") {
-    Heap heap(kColumn);
+    Heap heap(kThinColumn);
     const btRigidBody* body = &heap.piece(5);
     const float mass = 1 / body->getInvMass();
     const void* proxy = body->getBroadphaseProxy();
@@ -130,7 +130,7 @@ TEST_CASE("a ball goes as far into a frozen heap as into one that is awake") {
 TEST_CASE("when the lowest brick of a column is taken, nothing floats half a second later") {
     for (const int way : {0, 1, 2, 3}) {
         CAPTURE(way);
-        Heap heap(kColumn);
+        Heap heap(kThinColumn);
         heap.steps(90);
         REQUIRE(heap.destruction.frozenCount() == 10);
         std::vector<float> before;
@@ -171,7 +171,7 @@ TEST_CASE("a column on something of the game's falls when that goes, sinks or sl
             table.setActivationState(DISABLE_DEACTIVATION);
         }
         DestructionWorld destruction(bullet.world, freezing());
-        const ObjectId column = destruction.spawn(makeBox(kColumn), at(0, 2, 0)).value();
+        const ObjectId column = destruction.spawn(makeBox(kThinColumn), at(0, 2, 0)).value();
         REQUIRE(destruction.breakAll(column));
         for (int i = 0; i < 90; ++i) frame(bullet);
         REQUIRE(destruction.frozenCount() == 10);

@@ -13,7 +13,7 @@ using namespace sherd::test;
 
 namespace {
 
-const BoxFracture kBox{.level2 = {2, 2, 2}, .toughness = 5};
+const BoxFracture kSavedBox{.level2 = {2, 2, 2}, .toughness = 5};
 
 void checkSamePlaces(std::span<const FragmentPose> x, std::span<const FragmentPose> y) {
     REQUIRE(x.size() == y.size());
@@ -36,7 +36,7 @@ std::vector<uint8_t> brokenInBullet(BulletWorld& bullet, DestructionWorld& destr
 }  // namespace
 
 TEST_CASE("what Bullet's adapter saved a table restores, and the other way round") {
-    const auto asset = makeBox(kBox);
+    const auto asset = makeBox(kSavedBox);
     BulletWorld bullet;
     DestructionWorld destruction(bullet.world);
     const ObjectId box = destruction.spawn(asset, at(0, 0, 0)).value();
@@ -75,7 +75,7 @@ TEST_CASE("what Bullet's adapter saved a table restores, and the other way round
 }
 
 TEST_CASE("a save with another adapter's bytes, or of another version, is told apart") {
-    const auto asset = makeBox(kBox);
+    const auto asset = makeBox(kSavedBox);
     BulletWorld bullet;
     DestructionWorld destruction(bullet.world);
     const ObjectId box = destruction.spawn(asset, at(0, 0, 0)).value();
@@ -104,7 +104,7 @@ TEST_CASE("a save with another adapter's bytes, or of another version, is told a
 }
 
 TEST_CASE("a state that no object gets into is refused") {
-    const auto asset = makeBox(kBox);
+    const auto asset = makeBox(kSavedBox);
     StillBodies bodies;
     IslandWorld table(bodies);
     const ObjectId box = table.spawn(asset, at(0, 0, 0), {}, true, {});
@@ -136,7 +136,7 @@ TEST_CASE("a state that no object gets into is refused") {
 }
 
 TEST_CASE("an object breaks however far away it is") {
-    const auto asset = makeBox(kBox);
+    const auto asset = makeBox(kSavedBox);
     StillBodies bodies;
     IslandWorld table(bodies);
     const ObjectId box = table.spawn(asset, at(1e30F, 0, 0), {}, true, {});
