@@ -2,6 +2,7 @@
 #include "sherd/runtime/bond_graph.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "sherd/runtime/material.h"
 
@@ -78,6 +79,11 @@ BondGraph::BondGraph(const FractureSet& set)
     edges_.resize(firstEdge_.back());
     std::vector<uint32_t> next(firstEdge_.begin(), firstEdge_.end() - 1);
     forEachSide([&](uint32_t leaf, Edge edge) { edges_[next[leaf]++] = edge; });
+    for (size_t l = 0; l + 1 < firstEdge_.size(); ++l)
+        std::sort(edges_.begin() + firstEdge_[l], edges_.begin() + firstEdge_[l + 1],
+                  [](const Edge& x, const Edge& y) {
+                      return std::tie(x.other, x.bond) < std::tie(y.other, y.bond);
+                  });
 }
 
 uint32_t BondGraph::childWith(uint32_t fragment, uint32_t leaf) const {

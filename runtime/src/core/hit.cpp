@@ -2,6 +2,7 @@
 // How energy spreads from a contact over the bond graph. A crack that has started runs: all leaf
 // bonds between two standing fragments fail as one.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <glm/common.hpp>
@@ -20,10 +21,14 @@ namespace {
 struct Seam {
     uint32_t a = 0, b = 0;
     float energy = 0;  ///< that breaking it would consume, J
-    float area = 0;    ///< m^2
-    float near = 0;    ///< how near it is: 1 at the point, falling with distance
+    float weight = 0;  ///< its share of the energy: area, by nearness squared
     uint32_t firstBond = 0, bondCount = 0;
 };
+
+/// The factor from which a seam breaks, as bits that are ordered as it is.
+uint64_t needOf(const Seam& seam) {
+    return std::bit_cast<uint32_t>(seam.energy > 0 ? seam.energy / seam.weight : 0.0F);
+}
 
 struct Crossing {
     uint32_t other, bond;
@@ -34,8 +39,8 @@ struct Crossing {
 struct HitSolver::Scratch {
     Vector<Seam> seams;      ///< that fail at this stress
     Vector<uint32_t> bonds;  ///< of the seams
-    /// Of every seam the factor from which it breaks, a heap: the least in front.
-    Vector<std::pair<double, uint32_t>> needs;
+    /// Of every seam the factor from which it breaks, and its place: a heap, the least in front.
+    Vector<uint64_t> needs;
     Vector<Crossing> crossings;
     Vector<uint32_t> front;  ///< fragments reached, in that order
     /// Per fragment: the round in which it was reached, and the one in which its seams were found.
@@ -103,10 +108,6 @@ class Spreading {
         const uint32_t fragment = structure_.fragmentAt(leaf);
         return fragment == divided_ ? graph_.childWith(fragment, leaf) : fragment;
     }
-    /// How near a place is, 1..0: one radius of the struck fragment away it is 1/2.
-    float nearness(const glm::vec3& place) const {
-        return radius_ / (radius_ + glm::distance(place, hit_.point));
-    }
     void findSeams(uint32_t target);
     void addSeamsOf(uint32_t side);
     bool breakSeams(float& left, HitResult& result);
@@ -147,37 +148,41 @@ void Spreading::addSeamsOf(uint32_t side) {
     done[side] = round;
     crossings.clear();
     const Range leaves = graph_.leavesOf(side);
-    for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
-        for (const BondGraph::Edge& edge : graph_.edgesOf(leaf)) {
-            const bool isInner =
-                edge.other != BondGraph::kWorld && graph_.contains(side, edge.other);
-            if (isInner || structure_.isBroken(edge.bond)) continue;
-            const uint32_t other = sideOf(edge.other);
-            if (other == kNone || done[other] != round) crossings.push_back({other, edge.bond});
-        }
+    for (const BondGraph::Edge& edge : graph_.edgesOf(leaves)) {
+        // The world is in no run of leaves.
+        if (edge.other - leaves.first < leaves.count) continue;
+        const uint32_t other = sideOf(edge.other);
+        if (other != kNone && done[other] == round) continue;
+        if (!structure_.isBroken(edge.bond)) crossings.push_back({other, edge.bond});
     }
-    std::sort(crossings.begin(), crossings.end(), [](const Crossing& x, const Crossing& y) {
-        return std::tie(x.other, x.bond) < std::tie(y.other, y.bond);
-    });
+    // Those of one leaf lie by what is across already.
+    if (leaves.count > 1) {
+        std::sort(crossings.begin(), crossings.end(), [](const Crossing& x, const Crossing& y) {
+            return std::tie(x.other, x.bond) < std::tie(y.other, y.bond);
+        });
+    }
     for (size_t i = 0; i < crossings.size();) {
         const uint32_t other = crossings[i].other;
         const auto firstBond = uint32_t(bonds.size());
-        float area = 0, energy = 0, strength = HUGE_VALF, near = 0;
+        float area = 0, energy = 0, strength = HUGE_VALF, distance = HUGE_VALF;
         for (; i < crossings.size() && crossings[i].other == other; ++i) {
             const uint32_t b = crossings[i].bond;
             const BondGraph::Bond& bond = graph_.bond(b);
             area += bond.area;
             energy += priceOf(structure_.asset(), bond, options_) * structure_.health(b);
             strength = std::min(strength, strengthOf(structure_.asset(), bond, options_));
-            near = std::max(near, nearness(bond.centroid));
+            const glm::vec3 way = bond.centroid - hit_.point;
+            distance = std::min(distance, glm::dot(way, way));
             bonds.push_back(b);
         }
+        // How near it is, 1..0: one radius of the struck fragment away it is 1/2.
+        const float near = radius_ / (radius_ + std::sqrt(distance));
         if (!(hit_.stress * near > strength)) {
             bonds.resize(firstBond);
             continue;
         }
-        seams.push_back(
-            {side, other, energy, area, near, firstBond, uint32_t(bonds.size()) - firstBond});
+        seams.push_back({side, other, energy, near * near * area, firstBond,
+                         uint32_t(bonds.size()) - firstBond});
         if (other != kNone) scratch_.reach(other);
     }
 }
@@ -191,27 +196,25 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
         return divided_ != kNone && parentOf(seam.a) == int32_t(divided_) &&
                parentOf(seam.b) == int32_t(divided_);
     };
-    // Of a factor f, a seam gets f x near^2 x area, or all it can take: it breaks from f = need on.
+    // Of a factor f, a seam gets f x its weight, or all it can take: it breaks from f = need on.
     // With the seams in that order, those in front break, the others share the rest.
-    const auto weight = [](const Seam& seam) {
-        return double(seam.near) * double(seam.near) * double(seam.area);
-    };
-    auto& [seams, bonds, needs, crossings, front, reached, done, round] = scratch_;
+    const Vector<Seam>& seams = scratch_.seams;
+    Vector<uint64_t>& needs = scratch_.needs;
     double weights = 0;
     for (uint32_t s = 0; s < seams.size(); ++s) {
-        const double its = weight(seams[s]);
-        weights += its;
-        needs.emplace_back(seams[s].energy > 0 ? double(seams[s].energy) / its : 0.0, s);
+        weights += double(seams[s].weight);
+        needs.push_back(needOf(seams[s]) << 32 | s);
     }
     std::make_heap(needs.begin(), needs.end(), std::greater<>());
     bool opens = false;
     double rest = double(left);
-    while (!needs.empty() && needs.front().first * weights <= rest) {
-        const Seam& seam = seams[needs.front().second];
+    while (!needs.empty()) {
+        const Seam& seam = seams[uint32_t(needs.front())];
+        if (!(double(seam.energy) * weights <= rest * double(seam.weight))) break;
         std::pop_heap(needs.begin(), needs.end(), std::greater<>());
         needs.pop_back();
         rest -= double(seam.energy);
-        weights -= weight(seam);
+        weights -= double(seam.weight);
         for (const uint32_t b : bondsOf(seam)) {
             structure_.breakBond(b);
             result.bonds.push_back(b);
@@ -223,11 +226,11 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
     }
     if (!needs.empty() && weights > 0) {
         const double factor = rest / weights;
-        for (const auto& need : needs) {
-            const Seam& seam = seams[need.second];
+        for (const uint64_t need : needs) {
+            const Seam& seam = seams[uint32_t(need)];
             if (!(seam.energy > 0)) continue;
-            const auto share =
-                float(factor * weight(seam) / double(seam.energy));  // of what is left
+            const float share =
+                float(factor * double(seam.weight)) / seam.energy;  // of what is left
             for (const uint32_t b : bondsOf(seam))
                 structure_.weaken(b, share * structure_.health(b));
         }

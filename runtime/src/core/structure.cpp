@@ -5,11 +5,6 @@
 #include <utility>
 
 namespace sherd {
-namespace {
-
-constexpr float kAlmostAll = 1 - 0x1p-20F;  // that a bond can lose without breaking
-
-}  // namespace
 
 void Structure::renew(std::shared_ptr<const Asset> asset) {
     asset_ = std::move(asset);
@@ -19,16 +14,9 @@ void Structure::renew(std::shared_ptr<const Asset> asset) {
     gone_.clear();
 }
 
-void Structure::prepare() {
-    if (!lost_.empty()) return;
+void Structure::makeRoom() {
     standing_.assign(graph().leafCount(), 0);
     lost_.assign(std::max<size_t>(graph().bonds().size(), 1), 0.0F);
-}
-
-void Structure::weaken(uint32_t bond, float share) {
-    prepare();
-    if (!(lost_[bond] < kAlmostAll)) return;
-    lost_[bond] = std::min(lost_[bond] + share, kAlmostAll);
 }
 
 void Structure::breakBond(uint32_t bond) {
@@ -126,17 +114,15 @@ void IslandFinder::flood(const Structure& structure, uint32_t start, uint32_t so
         const uint32_t fragment = front_[next];
         island.mass += double(structure.asset().fragment(fragment).mass);
         const Range leaves = graph.leavesOf(fragment);
-        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf)
             island.anchored = island.anchored || structure.isPinned(leaf);
-            for (const BondGraph::Edge& edge : graph.edgesOf(leaf)) {
-                if (structure.isBroken(edge.bond)) continue;
-                if (edge.other == BondGraph::kWorld) {
-                    island.anchored = true;
-                } else if (const uint32_t other = structure.fragmentAt(edge.other);
-                           state_[other] == sought) {
-                    reach(other);
-                }
+        for (const BondGraph::Edge& edge : graph.edgesOf(leaves)) {
+            if (edge.other == BondGraph::kWorld) {
+                island.anchored = island.anchored || !structure.isBroken(edge.bond);
+                continue;
             }
+            const uint32_t other = structure.fragmentAt(edge.other);
+            if (state_[other] == sought && !structure.isBroken(edge.bond)) reach(other);
         }
     }
     island.fragments.count = uint32_t(front_.size()) - first;

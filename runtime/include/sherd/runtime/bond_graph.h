@@ -47,9 +47,14 @@ class BondGraph {
 
     [[nodiscard]] std::span<const Bond> bonds() const { return bonds_; }
     [[nodiscard]] const Bond& bond(uint32_t b) const { return bonds_[b]; }
-    /// The bonds of a leaf, anchors too.
+    /// The bonds of a leaf by what is across, anchors last.
     [[nodiscard]] std::span<const Edge> edgesOf(uint32_t leaf) const {
         return std::span(edges_).subspan(firstEdge_[leaf], firstEdge_[leaf + 1] - firstEdge_[leaf]);
+    }
+    /// Of all leaves of a run, one after the other.
+    [[nodiscard]] std::span<const Edge> edgesOf(Range leaves) const {
+        const uint32_t first = firstEdge_[leaves.first];
+        return std::span(edges_).subspan(first, firstEdge_[leaves.first + leaves.count] - first);
     }
     [[nodiscard]] bool isAnchored(uint32_t fragment) const { return anchored_[fragment] != 0; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -41,7 +42,11 @@ class Structure {
     [[nodiscard]] bool isDamaged() const { return !lost_.empty(); }
 
     /// Takes `share` of the sound bond's energy from it, but never so much that it breaks.
-    void weaken(uint32_t bond, float share);
+    void weaken(uint32_t bond, float share) {
+        prepare();
+        float& lost = lost_[bond];
+        if (lost < kAlmostAll) lost = std::min(lost + share, kAlmostAll);
+    }
     void breakBond(uint32_t bond);
     /// Gives `share` of its energy back to a bond that is not broken.
     void strengthen(uint32_t bond, float share);
@@ -63,7 +68,12 @@ class Structure {
     [[nodiscard]] bool isPinned(uint32_t leaf) const { return !pins_.empty() && pins_[leaf] != 0; }
 
   private:
-    void prepare();
+    static constexpr float kAlmostAll = 1 - 0x1p-20F;  ///< that a bond can lose without breaking
+
+    void prepare() {
+        if (lost_.empty()) makeRoom();
+    }
+    void makeRoom();
 
     std::shared_ptr<const Asset> asset_;
     Vector<uint32_t> standing_;  ///< per leaf
