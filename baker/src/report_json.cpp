@@ -7,21 +7,21 @@ namespace sherd {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// What was not measured is left out.
 template <class Value>
-void put(Json& json, const char* key, const std::optional<Value>& value) {
+void put(OrderedJson& json, const char* key, const std::optional<Value>& value) {
     if (value) json[key] = *value;
 }
 
-Json colliderJson(const BakedCollider& collider) {
+OrderedJson colliderJson(const BakedCollider& collider) {
     return {{"hulls", collider.hulls},         {"coverage", collider.coverage},
             {"overlap", collider.overlap},     {"outside", collider.outside},
             {"uncovered", collider.uncovered}, {"convex", collider.convex}};
 }
 
-Json collidersJson(const BakedColliders& colliders) {
+OrderedJson collidersJson(const BakedColliders& colliders) {
     return {{"hulls", colliders.hulls},
             {"coverage", {{"median", colliders.coverage}, {"least", colliders.leastCoverage}}},
             {"overlap", colliders.overlap},
@@ -29,12 +29,12 @@ Json collidersJson(const BakedColliders& colliders) {
             {"uncovered", colliders.uncovered}};
 }
 
-Json levelJson(const BakedLevelReport& level) {
-    Json json{{"fragments", level.fragments},
-              {"components", level.components},
-              {"closed", level.closed},
-              {"volumeShare", level.volumeShare},
-              {"hiddenShare", level.hiddenShare}};
+OrderedJson levelJson(const BakedLevelReport& level) {
+    OrderedJson json{{"fragments", level.fragments},
+                     {"components", level.components},
+                     {"closed", level.closed},
+                     {"volumeShare", level.volumeShare},
+                     {"hiddenShare", level.hiddenShare}};
     if (level.coverageNone)
         json["coverage"] = {{"none", *level.coverageNone},
                             {"double", level.coverageDouble.value_or(0)}};
@@ -45,11 +45,11 @@ Json levelJson(const BakedLevelReport& level) {
     return json;
 }
 
-Json fragmentJson(const BakedFragmentReport& fragment) {
-    Json json{{"level", fragment.level},
-              {"closed", fragment.closed},
-              {"volume", fragment.volume},
-              {"hiddenShare", fragment.hiddenShare}};
+OrderedJson fragmentJson(const BakedFragmentReport& fragment) {
+    OrderedJson json{{"level", fragment.level},
+                     {"closed", fragment.closed},
+                     {"volume", fragment.volume},
+                     {"hiddenShare", fragment.hiddenShare}};
     if (!fragment.name.empty()) json["name"] = fragment.name;
     put(json, "overlap", fragment.overlap);
     put(json, "protrusion", fragment.protrusion);
@@ -62,23 +62,23 @@ Json fragmentJson(const BakedFragmentReport& fragment) {
 }  // namespace
 
 std::string toJson(const BakeReport& report) {
-    Json root{{"sherdReport", 1},
-              {"source", report.source},
-              {"seconds", report.seconds},
-              {"objects", Json::array()}};
+    OrderedJson root{{"sherdReport", 1},
+                     {"source", report.source},
+                     {"seconds", report.seconds},
+                     {"objects", OrderedJson::array()}};
     for (const BakedObjectReport& object : report.objects) {
-        Json entry{{"name", object.name},
-                   {"triangles", object.triangles},
-                   {"splitTriangles", object.splitTriangles},
-                   {"parts", object.parts},
-                   {"diagonal", object.diagonal},
-                   {"volume", object.volume},
-                   {"boundaryEdges", object.boundaryEdges},
-                   {"bonds", object.bonds},
-                   {"levels", Json::array()},
-                   {"fragments", Json::array()},
-                   {"findings", Json::array()},
-                   {"stages", Json::array()}};
+        OrderedJson entry{{"name", object.name},
+                          {"triangles", object.triangles},
+                          {"splitTriangles", object.splitTriangles},
+                          {"parts", object.parts},
+                          {"diagonal", object.diagonal},
+                          {"volume", object.volume},
+                          {"boundaryEdges", object.boundaryEdges},
+                          {"bonds", object.bonds},
+                          {"levels", OrderedJson::array()},
+                          {"fragments", OrderedJson::array()},
+                          {"findings", OrderedJson::array()},
+                          {"stages", OrderedJson::array()}};
         for (const BakedLevelReport& level : object.levels) {
             entry["levels"].push_back(levelJson(level));
         }
@@ -91,12 +91,12 @@ std::string toJson(const BakeReport& report) {
                                      {"corners", cap.corners},
                                      {"flat", cap.flat}});
         for (const BakeFinding& finding : object.findings) {
-            Json found{{"code", finding.code},
-                       {"message", finding.message},
-                       {"where", finding.where},
-                       {"count", finding.count}};
+            OrderedJson found{{"code", finding.code},
+                              {"message", finding.message},
+                              {"where", finding.where},
+                              {"count", finding.count}};
             for (const BakePlace& place : finding.places) {
-                Json here = Json::object();
+                OrderedJson here = OrderedJson::object();
                 if (place.position)
                     here["position"] = {place.position->x, place.position->y, place.position->z};
                 if (place.uv) here["uv"] = {place.uv->x, place.uv->y};
@@ -111,7 +111,7 @@ std::string toJson(const BakeReport& report) {
         root["objects"].push_back(std::move(entry));
     }
     // Names come from files: replace what is not UTF-8 rather than throw.
-    return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return root.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace sherd

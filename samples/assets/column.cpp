@@ -13,18 +13,17 @@
 namespace sherd::samples {
 namespace {
 
-constexpr uint32_t kTextureSize = 1024;
 constexpr uint32_t kFlutes = 16;
 constexpr double kFluteDepth = 0.011;
 constexpr double kShaftLow = 0.135;
 constexpr double kShaftHigh = 0.985;
 
-enum class Section { round, fluted, square };
+enum class Outline { round, fluted, square };
 
 struct ColumnRing {
     double radius;  ///< half the side, for a square
     double height;
-    Section section;
+    Outline section;
 };
 
 /// Tapering, with a slight swelling (entasis).
@@ -34,7 +33,7 @@ double shaftRadius(double y) {
 }
 
 std::vector<ColumnRing> columnRings() {
-    using enum Section;
+    using enum Outline;
     std::vector<ColumnRing> rings{
         {0, 0, square},         {0.085, 0, square},     {0.166, 0, square},
         {0.172, 0.006, square}, {0.172, 0.038, square}, {0.172, 0.064, square},
@@ -79,15 +78,15 @@ double fluteDepth(double y) {
 
 double sectionRadius(const ColumnRing& ring, double angle) {
     switch (ring.section) {
-        case Section::square:
+        case Outline::square:
             return ring.radius / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle)));
-        case Section::fluted: {
+        case Outline::fluted: {
             const double phase = angle * kFlutes / (2 * std::numbers::pi);
             const double across = (phase - std::floor(phase)) * 2 - 1;
             return ring.radius -
                    fluteDepth(ring.height) * std::sqrt(std::max(0.0, 1 - across * across));
         }
-        case Section::round:
+        case Outline::round:
             break;
     }
     return ring.radius;
@@ -157,7 +156,7 @@ SampleObject makeColumn() {
     SampleObject column;
     column.name = "column";
     column.mesh = columnMesh();
-    column.texture = paintTexture(column.mesh, kTextureSize, paintColumn);
+    column.texture = paintTexture(column.mesh, kSampleTexture, paintColumn);
     column.roughness = 0.55;
     column.stuff = {{0.62, 0.61, 0.59}, 2700};
     column.cracks = columnCracks(column.mesh);

@@ -14,8 +14,6 @@
 namespace sherd::samples {
 namespace {
 
-constexpr uint32_t kTextureSize = 1024;
-
 /// Goes on to `end` in even steps of about `step`.
 void appendPlanes(std::vector<double>& planes, double end, double step) {
     const double begin = planes.back();
@@ -97,7 +95,7 @@ SampleObject makeFigure() {
     SampleObject figure;
     figure.name = "figure";
     figure.mesh = figureMesh();
-    figure.texture = paintTexture(figure.mesh, kTextureSize, paintFigure);
+    figure.texture = paintTexture(figure.mesh, kSampleTexture, paintFigure);
     figure.roughness = 0.85;
     figure.stuff = {{0.60, 0.52, 0.39}, 2200};
     figure.cracks = figureCracks(figure.mesh);

@@ -17,7 +17,7 @@ uint32_t mix(uint32_t h) {
 }
 
 /// Dot product with one of the twelve directions to a cube's edge midpoints.
-double gradient(uint32_t h, double x, double y, double z) {
+double slope(uint32_t h, double x, double y, double z) {
     const std::array<std::array<double, 2>, 3> pairs{{{x, y}, {x, z}, {y, z}}};
     const auto& pair = pairs[(h >> 2U) % 3];
     return ((h & 1U) != 0 ? pair[0] : -pair[0]) + ((h & 2U) != 0 ? pair[1] : -pair[1]);
@@ -51,7 +51,7 @@ double gradientNoise(const glm::dvec3& p, uint32_t seed) {
         const int32_t dx = static_cast<int32_t>(c & 1U);
         const int32_t dy = static_cast<int32_t>((c >> 1U) & 1U);
         const int32_t dz = static_cast<int32_t>(c >> 2U);
-        values[c] = gradient(hash(x + dx, y + dy, z + dz, seed), f.x - dx, f.y - dy, f.z - dz);
+        values[c] = slope(hash(x + dx, y + dy, z + dz, seed), f.x - dx, f.y - dy, f.z - dz);
     }
     const double u = fade(f.x);
     const double v = fade(f.y);

@@ -2,6 +2,7 @@
 // The objects of the demo.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
 
@@ -10,6 +11,9 @@
 #include "texture.h"
 
 namespace sherd::samples {
+
+/// Texels along a side of every sample's texture.
+inline constexpr uint32_t kSampleTexture = 1024;
 
 /// What the object is made of, for the recipe.
 struct Stuff {

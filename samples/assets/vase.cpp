@@ -13,7 +13,6 @@
 namespace sherd::samples {
 namespace {
 
-constexpr uint32_t kTextureSize = 1024;
 constexpr double kTurn = 2 * std::numbers::pi;
 
 const glm::dvec3 kClay(0.76, 0.41, 0.22);
@@ -208,7 +207,7 @@ SampleObject makeVase() {
     SampleObject vase;
     vase.name = "vase";
     vase.mesh = vaseMesh();
-    vase.texture = paintTexture(vase.mesh, kTextureSize, paintVase);
+    vase.texture = paintTexture(vase.mesh, kSampleTexture, paintVase);
     vase.roughness = 0.45;
     vase.stuff = {{0.48, 0.20, 0.095}, 1900};
     vase.cracks = vaseCracks(vase.mesh);

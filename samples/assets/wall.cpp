@@ -12,7 +12,6 @@
 namespace sherd::samples {
 namespace {
 
-constexpr uint32_t kTextureSize = 1024;
 constexpr double kWidth = 2.0;
 constexpr double kHeight = 1.2;
 constexpr double kDepth = 0.25;
@@ -220,7 +219,7 @@ SampleObject makeWall() {
     wall.name = "wall";
     wall.mesh = Slab().build();
     computeNormals(wall.mesh, 32);
-    wall.texture = paintTexture(wall.mesh, kTextureSize, paintWall);
+    wall.texture = paintTexture(wall.mesh, kSampleTexture, paintWall);
     wall.roughness = 0.95;
     wall.stuff = {{0.33, 0.30, 0.26}, 2300};
     wall.cracks = wallCracks(wall.mesh);

@@ -10,7 +10,7 @@
 namespace sherd::samples {
 namespace {
 
-constexpr uint32_t kMargin = 4;
+constexpr uint32_t kGap = 4;
 
 void paste(const Picture& from, uint32_t x, uint32_t y, Picture& to) {
     const size_t row = size_t{3} * from.width;
@@ -55,13 +55,13 @@ Picture contactSheet(std::span<const Picture> pictures, uint32_t columns) {
     Picture sheet;
     if (pictures.empty()) return sheet;
     const auto rows = static_cast<uint32_t>((pictures.size() + columns - 1) / columns);
-    const uint32_t stepX = pictures[0].width + kMargin;
-    const uint32_t stepY = pictures[0].height + kMargin;
-    sheet.width = stepX * columns + kMargin;
-    sheet.height = stepY * rows + kMargin;
+    const uint32_t stepX = pictures[0].width + kGap;
+    const uint32_t stepY = pictures[0].height + kGap;
+    sheet.width = stepX * columns + kGap;
+    sheet.height = stepY * rows + kGap;
     sheet.pixels.assign(size_t{3} * sheet.width * sheet.height, 24);
     for (uint32_t i = 0; i < pictures.size(); ++i) {
-        paste(pictures[i], kMargin + i % columns * stepX, kMargin + i / columns * stepY, sheet);
+        paste(pictures[i], kGap + i % columns * stepX, kGap + i / columns * stepY, sheet);
     }
     return sheet;
 }

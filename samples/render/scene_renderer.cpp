@@ -17,12 +17,6 @@
 namespace sherd::samples {
 namespace {
 
-struct GpuMesh {
-    GLuint vertexArray = 0;
-    GLuint vertices = 0;
-    GLuint indices = 0;
-};
-
 /// OpenGL takes offsets into a bound buffer as pointers.
 const void* bufferOffset(size_t bytes) {
     return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
@@ -124,6 +118,12 @@ class SceneRenderer::Impl {
     }
 
   private:
+    struct GpuMesh {
+        GLuint vertexArray = 0;
+        GLuint vertices = 0;
+        GLuint indices = 0;
+    };
+
     static GLuint upload(uint32_t width, uint32_t height, const uint8_t* pixels) {
         GLuint texture = 0;
         glGenTextures(1, &texture);

@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
         row("sphere", mesh, runs, n < 50);
     }
     for (const uint32_t n : {50U, 100U})
-        if (isWanted("torus")) row("torus", torus(2, 0.5F, 4 * n, n).mesh(), runs);
+        if (isWanted("torus")) row("torus", torusShape(2, 0.5F, 4 * n, n).mesh(), runs);
     if (!haveSharedModels()) {
         std::puts("no real models beside the checkout");
         return 0;

@@ -4,10 +4,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "sherd/baker/bake.h"
+#include "sherd/formats/fracture_set.h"
 #include "sherd/formats/glb_read.h"
 #include "sherd/formats/validate.h"
 
@@ -49,6 +51,15 @@ inline FractureSet writtenSet(const Model& model, const FracturePlan& plan,
     Result<std::vector<FractureSet>> sets = readFractureSets(baked->glb);
     REQUIRE(sets.has_value());
     return sets->at(0);
+}
+
+/// Of the fragments at a level, from the smallest up.
+inline std::vector<double> volumesAt(const FractureSet& set, uint32_t level) {
+    std::vector<double> volumes;
+    for (const uint32_t f : fragmentsAtLevel(set, level))
+        volumes.push_back(set.fragments[f].volume);
+    std::sort(volumes.begin(), volumes.end());
+    return volumes;
 }
 
 }  // namespace sherd::test

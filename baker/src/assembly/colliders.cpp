@@ -9,6 +9,7 @@
 
 #include "geometry/bounds.h"
 #include "geometry/box_tree.h"
+#include "geometry/no_index.h"
 #include "parallel/parallel_for.h"
 #include "physics/collider_separation.h"
 #include "physics/convex_hull.h"
@@ -20,7 +21,6 @@
 namespace sherd {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFFU;
 constexpr size_t kRuns = 32;
 /// Corners nearer than this to the hull of others are left out at once: share of the diagonal. Not
 /// of a thin piece that would then lack more of its volume than kSkinVolume. (Nor less than a

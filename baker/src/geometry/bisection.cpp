@@ -5,12 +5,11 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/no_index.h"
 #include "parallel/parallel_for.h"
 
 namespace sherd {
 namespace {
-
-constexpr uint32_t kNone = BisectedTriangles::kNone;
 
 int longestSide(uint32_t triangle, const std::function<double(uint32_t)>& length2) {
     int longest = 0;

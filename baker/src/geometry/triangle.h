@@ -17,6 +17,11 @@ constexpr uint32_t nextCorner(uint32_t corner) {
     return corner - corner % 3 + (corner + 1) % 3;
 }
 
+/// Looked at along an axis.
+inline glm::dvec2 without(const glm::dvec3& p, int axis) {
+    return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
+}
+
 /// In double, in the square of the positions' unit.
 inline double triangleArea(std::span<const glm::vec3> positions, const std::array<uint32_t, 3>& v) {
     const glm::dvec3 a = positions[v[0]];

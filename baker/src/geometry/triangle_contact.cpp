@@ -4,15 +4,12 @@
 #include <algorithm>
 
 #include "geometry/predicates.h"
+#include "geometry/triangle.h"
 
 namespace sherd {
 namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
-
-glm::dvec2 without(const glm::dvec3& p, int axis) {
-    return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
-}
 
 /// The three corners lie on one line.
 bool isFlat(const Triangle& t) {

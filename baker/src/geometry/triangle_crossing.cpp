@@ -10,16 +10,13 @@
 #include <utility>
 
 #include "geometry/predicates.h"
+#include "geometry/triangle.h"
 
 namespace sherd {
 namespace {
 
 using Triangle = std::array<glm::dvec3, 3>;
 using Signs = std::array<int, 3>;
-
-glm::dvec2 without(const glm::dvec3& p, int axis) {
-    return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
-}
 
 /// The open triangle reaches both sides of the plane.
 bool pierces(const Signs& s) {

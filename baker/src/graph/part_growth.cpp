@@ -12,16 +12,17 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/no_index.h"
+
 namespace sherd {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr uint32_t kOpen = 0xFFFFFFFFU;
+constexpr double kNoWay = std::numeric_limits<double>::infinity();
 
 /// Shortest ways from several sources, more of which can be added.
 class Ways {
   public:
-    explicit Ways(const WeightedGraph& graph) : graph_(graph), length_(graph.count(), kFar) {}
+    explicit Ways(const WeightedGraph& graph) : graph_(graph), length_(graph.count(), kNoWay) {}
 
     void addSource(uint32_t source) {
         using Entry = std::pair<double, uint32_t>;
@@ -64,7 +65,7 @@ class Growth {
         : graph_(graph),
           seeds_(seeds),
           order_(order),
-          part_(graph.count(), kOpen),
+          part_(graph.count(), kNone),
           weights_(seeds.size(), 0),
           edges_(seeds.size()) {
         Ways ways(graph);
@@ -79,7 +80,7 @@ class Growth {
             const uint32_t p = next_.top().second;
             next_.pop();
             const uint32_t node = bestOf(p);
-            if (node != kOpen) take(node, p);  // else it is enclosed by others
+            if (node != kNone) take(node, p);  // else it is enclosed by others
         }
         return std::move(part_);
     }
@@ -97,7 +98,7 @@ class Growth {
         part_[node] = p;
         weights_[p] += graph_.weight(node);
         for (const WeightedGraph::Link& link : graph_.links(node))
-            if (part_[link.node] == kOpen) edges_[p].push({scoreOf(link.node, p), link.node});
+            if (part_[link.node] == kNone) edges_[p].push({scoreOf(link.node, p), link.node});
         if (edges_[p].empty()) return;
         next_.emplace(order_ == GrowthOrder::lightest ? weights_[p] : -edges_[p].top().score, p);
     }
@@ -117,9 +118,9 @@ class Growth {
         while (!edges_[p].empty()) {
             const uint32_t node = edges_[p].top().node;
             edges_[p].pop();
-            if (part_[node] == kOpen) return node;
+            if (part_[node] == kNone) return node;
         }
-        return kOpen;
+        return kNone;
     }
 
     const WeightedGraph& graph_;
@@ -179,11 +180,11 @@ std::vector<uint32_t> middlesOf(const WeightedGraph& graph, const std::vector<ui
     }
     for (uint32_t p = 0; p < parts; ++p)
         centres[p] = weights[p] > 0 ? centres[p] / weights[p] : plain[p] / counts[p];
-    std::vector<uint32_t> middles(parts, kOpen);
-    std::vector<double> nearest(parts, kFar);
+    std::vector<uint32_t> middles(parts, kNone);
+    std::vector<double> nearest(parts, kNoWay);
     for (uint32_t n = 0; n < graph.count(); ++n) {
         const double away = glm::distance(graph.place(n), centres[part[n]]);
-        if (middles[part[n]] != kOpen && !(away < nearest[part[n]])) continue;
+        if (middles[part[n]] != kNone && !(away < nearest[part[n]])) continue;
         nearest[part[n]] = away;
         middles[part[n]] = n;
     }

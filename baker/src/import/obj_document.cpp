@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementArrayBuffer = 34963;
@@ -23,20 +23,21 @@ class DocumentMaker {
     GltfDocument make() {
         json_["asset"] = {{"version", "2.0"}, {"generator", "Sherd"}};
         json_["scene"] = 0;
-        json_["scenes"] = Json::array({{{"nodes", {0}}}});
-        json_["nodes"] = Json::array({{{"name", mesh_.name}, {"mesh", 0}}});
-        json_["meshes"] = Json::array({{{"name", mesh_.name}, {"primitives", primitives()}}});
+        json_["scenes"] = OrderedJson::array({{{"nodes", {0}}}});
+        json_["nodes"] = OrderedJson::array({{{"name", mesh_.name}, {"mesh", 0}}});
+        json_["meshes"] =
+            OrderedJson::array({{{"name", mesh_.name}, {"primitives", primitives()}}});
         if (!materials_.empty()) addMaterials();
         json_["accessors"] = accessors_;
         json_["bufferViews"] = views_;
-        json_["buffers"] = Json::array({{{"byteLength", bin_.size()}}});
-        return {json_.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(bin_)};
+        json_["buffers"] = OrderedJson::array({{{"byteLength", bin_.size()}}});
+        return {json_.dump(-1, ' ', false, OrderedJson::error_handler_t::replace), std::move(bin_)};
     }
 
   private:
     size_t addView(const void* data, size_t size, int target) {
         bin_.resize((bin_.size() + 3) / 4 * 4, 0);
-        Json view = {{"buffer", 0}, {"byteOffset", bin_.size()}, {"byteLength", size}};
+        OrderedJson view = {{"buffer", 0}, {"byteOffset", bin_.size()}, {"byteLength", size}};
         if (target != 0) view["target"] = target;
         views_.push_back(std::move(view));
         const auto* bytes = static_cast<const uint8_t*>(data);
@@ -88,16 +89,16 @@ class DocumentMaker {
         return accessors_.size() - 1;
     }
 
-    Json primitives() {
+    OrderedJson primitives() {
         const Attribute& first = mesh_.attributes.front();
-        Json attributes;
+        OrderedJson attributes;
         attributes["POSITION"] = addPositions(first.values.size() / first.components);
         for (const Attribute& attribute : mesh_.attributes) {
             attributes[attribute.semantic] = addAttribute(attribute.values, attribute.components);
         }
-        Json out = Json::array();
+        OrderedJson out = OrderedJson::array();
         for (uint32_t slot = 0; slot < mesh_.materials.size(); ++slot) {
-            Json primitive = {{"attributes", attributes}, {"indices", addIndices(slot)}};
+            OrderedJson primitive = {{"attributes", attributes}, {"indices", addIndices(slot)}};
             if (mesh_.materials[slot] >= 0) primitive["material"] = mesh_.materials[slot];
             out.push_back(std::move(primitive));
         }
@@ -105,13 +106,13 @@ class DocumentMaker {
     }
 
     void addMaterials() {
-        Json materials = Json::array();
-        Json images = Json::array();
-        Json textures = Json::array();
+        OrderedJson materials = OrderedJson::array();
+        OrderedJson images = OrderedJson::array();
+        OrderedJson textures = OrderedJson::array();
         for (const ObjMaterial& material : materials_) {
-            Json pbr = {{"baseColorFactor", material.baseColor},
-                        {"metallicFactor", 0.0},
-                        {"roughnessFactor", 0.9}};
+            OrderedJson pbr = {{"baseColorFactor", material.baseColor},
+                               {"metallicFactor", 0.0},
+                               {"roughnessFactor", 0.9}};
             if (!material.image.empty()) {
                 pbr["baseColorTexture"] = {{"index", textures.size()}};
                 textures.push_back({{"source", images.size()}});
@@ -119,7 +120,7 @@ class DocumentMaker {
                     {{"bufferView", addView(material.image.data(), material.image.size(), 0)},
                      {"mimeType", material.imageType}});
             }
-            Json entry = {{"name", material.name}, {"pbrMetallicRoughness", std::move(pbr)}};
+            OrderedJson entry = {{"name", material.name}, {"pbrMetallicRoughness", std::move(pbr)}};
             if (material.baseColor[3] < 1) entry["alphaMode"] = "BLEND";
             materials.push_back(std::move(entry));
         }
@@ -131,9 +132,9 @@ class DocumentMaker {
 
     const SurfaceMesh& mesh_;
     const std::vector<ObjMaterial>& materials_;
-    Json json_;
-    Json accessors_ = Json::array();
-    Json views_ = Json::array();
+    OrderedJson json_;
+    OrderedJson accessors_ = OrderedJson::array();
+    OrderedJson views_ = OrderedJson::array();
     std::vector<uint8_t> bin_;
 };
 

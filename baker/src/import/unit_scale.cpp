@@ -7,17 +7,17 @@
 namespace sherd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Marks the node, so that a bake of a bake is not scaled twice.
 const char* const kMark = "sherdUnitScale";
 
-bool isUnitNode(const Json& node) {
+bool isUnitNode(const OrderedJson& node) {
     return node.is_object() && node.contains("extras") && node["extras"].is_object() &&
            node["extras"].contains(kMark);
 }
 
-Json unitNode(double metres, const Json& roots) {
+OrderedJson unitNode(double metres, const OrderedJson& roots) {
     return {{"name", "unit scale"},
             {"scale", {metres, metres, metres}},
             {"children", roots},
@@ -25,27 +25,28 @@ Json unitNode(double metres, const Json& roots) {
 }
 
 /// The nodes of a document without scenes that no other node has for a child.
-Json rootsOf(const Json& nodes) {
+OrderedJson rootsOf(const OrderedJson& nodes) {
     std::set<size_t> children;
-    for (const Json& node : nodes) {
+    for (const OrderedJson& node : nodes) {
         if (!node.is_object() || !node.contains("children")) continue;
-        for (const Json& child : node["children"])
+        for (const OrderedJson& child : node["children"])
             if (child.is_number_unsigned()) children.insert(child.get<size_t>());
     }
-    Json roots = Json::array();
+    OrderedJson roots = OrderedJson::array();
     for (size_t i = 0; i < nodes.size(); ++i)
         if (children.count(i) == 0) roots.push_back(i);
     return roots;
 }
 
 /// Whether a scene's nodes are lists, as far as they are needed here; and of no scene before.
-Result<void> checkRoots(const Json& scene, const std::string& where, std::set<size_t>& seen) {
+Result<void> checkRoots(const OrderedJson& scene, const std::string& where,
+                        std::set<size_t>& seen) {
     const auto roots = scene.is_object() ? scene.find("nodes") : scene.end();
     if (!scene.is_object()) return fail(ErrorCode::invalidData, "expected an object", where);
     if (roots == scene.end()) return {};
     if (!roots->is_array()) return fail(ErrorCode::invalidData, "expected an array", where);
     std::set<size_t> own;
-    for (const Json& root : *roots) {
+    for (const OrderedJson& root : *roots) {
         if (!root.is_number_unsigned())
             return fail(ErrorCode::invalidData, "expected the number of a node", where);
         own.insert(root.get<size_t>());
@@ -63,12 +64,12 @@ Result<void> checkRoots(const Json& scene, const std::string& where, std::set<si
 }  // namespace
 
 Result<void> scaleScenes(GltfDocument& document, const std::string& name, double metres) {
-    Json json = Json::parse(document.json, nullptr, false);
+    OrderedJson json = OrderedJson::parse(document.json, nullptr, false);
     if (!json.is_object() || !json.contains("nodes") || !json["nodes"].is_array())
         return fail(ErrorCode::invalidData, "the document has no nodes", name + "#/nodes");
-    Json& nodes = json["nodes"];
+    OrderedJson& nodes = json["nodes"];
     bool scaled = false;
-    for (Json& node : nodes) {
+    for (OrderedJson& node : nodes) {
         if (!isUnitNode(node)) continue;
         node["scale"] = {metres, metres, metres};
         node["extras"][kMark] = metres;
@@ -79,7 +80,7 @@ Result<void> scaleScenes(GltfDocument& document, const std::string& name, double
     if (!scaled && metres != 1 && scenes) {
         std::set<size_t> seen;
         for (size_t i = 0; i < json["scenes"].size(); ++i) {
-            Json& scene = json["scenes"][i];
+            OrderedJson& scene = json["scenes"][i];
             const std::string where = name + "#/scenes/" + std::to_string(i) + "/nodes";
             if (auto ok = checkRoots(scene, where, seen); !ok) return ok;
             if (!scene.contains("nodes") || scene["nodes"].empty()) continue;
@@ -87,7 +88,7 @@ Result<void> scaleScenes(GltfDocument& document, const std::string& name, double
             scene["nodes"] = {nodes.size() - 1};
         }
     }
-    document.json = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    document.json = json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     return {};
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr float kNowhere = 1e18F;  // where the boxes and triangles are that are none
 constexpr float kUnbounded = 1e30F;
 constexpr uint32_t kWidth = BallNodes::kWidth;
-constexpr size_t kGrain = 4096;  // triangles
+constexpr size_t kNodeGrain = 4096;  // triangles
 
 struct Box {
     glm::vec3 low{kUnbounded}, high{-kUnbounded};
@@ -83,7 +83,7 @@ class Builder {
           triangles_(triangles),
           threads_(threads),
           order_(triangles.size()) {
-        parallelRuns(order_.size(), kGrain, threads, [&](size_t first, size_t last) {
+        parallelRuns(order_.size(), kNodeGrain, threads, [&](size_t first, size_t last) {
             for (size_t t = first; t < last; ++t) {
                 const auto [a, b, c] = corners(static_cast<uint32_t>(t));
                 order_[t] = {(a + b + c) / 3.0F, static_cast<uint32_t>(t)};
@@ -104,7 +104,7 @@ class Builder {
         result_.numbers.resize(count);
         std::vector<uint32_t> place(count);
         const auto forRuns = [&](const auto& take) {
-            parallelRuns(result_.leaves.size(), kGrain / kWidth, threads_,
+            parallelRuns(result_.leaves.size(), kNodeGrain / kWidth, threads_,
                          [&](size_t first, size_t last) {
                              for (size_t i = kWidth * first; i < kWidth * last; ++i) take(i);
                          });

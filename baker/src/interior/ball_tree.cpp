@@ -21,10 +21,9 @@ namespace {
 // At 0.98 a search looks at a quarter more, and pieces are no better for it.
 constexpr float kLoose = 0.96F;
 constexpr float kTight = 0.999F;
-constexpr float kSmallest = 1e-5F;  // balls below this are none
-constexpr float kFar = 1e30F;       // of no child, no contact
-constexpr size_t kMaxDepth = 96;    // of the walk: three are left behind at each of 16 levels
-constexpr size_t kWidth = BallNodes::kWidth;
+constexpr float kSmallest = 1e-5F;   // balls below this are none
+constexpr float kNoContact = 1e30F;  // instead of a distance
+constexpr size_t kMaxDepth = 96;     // of the walk: three are left behind at each of 16 levels
 
 struct FourTriangles {
     FourPoints a, ab, ac;
@@ -96,7 +95,7 @@ BallTree::BallTree(std::span<const glm::vec3> positions,
       sinHalf_(static_cast<float>(std::sin(separationAngle / 2))) {}
 
 /// Of the children in which points may lie in the ball and in the cone of contacts, the squared
-/// distance of their boxes' centres from the ball's; kFar for the others.
+/// distance of their boxes' centres from the ball's; kNoContact for the others.
 BallTree::Children BallTree::childrenMet(const Query& query, const BallNodes::Node& node) const {
     const Four reach(query.reach);
     const FourPoints centre = loaded(node.centre), extent = loaded(node.extent);
@@ -110,7 +109,7 @@ BallTree::Children BallTree::childrenMet(const Query& query, const BallNodes::No
                      (loaded(node.low) - height < reach) & (depth > Four(0.0F)) &
                      (depth * depth > Four(sinHalf_ * sinHalf_) * dot(e, e));
     if (!xsimd::any(met)) return {};
-    return {true, stored(xsimd::select(met, dot(fromBall, fromBall), Four(kFar)))};
+    return {true, stored(xsimd::select(met, dot(fromBall, fromBall), Four(kNoContact)))};
 }
 
 BallTree::Ball BallTree::largest(const Tangent& tangent, float maxRadius, uint32_t near) const {
@@ -144,9 +143,9 @@ void BallTree::search(Query& query) const {
         if (!met.any) continue;
         // The nearest is looked at first: it lies on top.
         const size_t bottom = depth;
-        std::array<float, kWidth> key;
-        for (size_t i = 0; i < kWidth; ++i) {
-            if (!(met.distance2.at[i] < kFar)) continue;
+        std::array<float, BallNodes::kWidth> key;
+        for (size_t i = 0; i < BallNodes::kWidth; ++i) {
+            if (!(met.distance2.at[i] < kNoContact)) continue;
             size_t place = depth - bottom;
             for (; place > 0 && key[place - 1] < met.distance2.at[i]; --place) {
                 key[place] = key[place - 1];
@@ -171,15 +170,16 @@ void BallTree::shrinkByLeaf(Query& query, uint32_t index) const {
     const auto near = (depth > Four(0.0F)) & (dot(away, away) < farthest * farthest) &
                       (xsimd::abs(height) < reach);
     if (!xsimd::any(near)) return;
-    std::array<uint32_t, kWidth> members;
+    std::array<uint32_t, BallNodes::kWidth> members;
     const auto last = static_cast<uint32_t>(nodes_.triangles.size() - 1);
-    for (uint32_t i = 0; i < kWidth; ++i)
-        members[i] = std::min(static_cast<uint32_t>(kWidth) * index + i, last);
+    for (uint32_t i = 0; i < BallNodes::kWidth; ++i)
+        members[i] = std::min(BallNodes::kWidth * index + i, last);
     shrinkBySome(query, members);
 }
 
 /// Returns the one that shrank the ball last, or kNone.
-uint32_t BallTree::shrinkBySome(Query& query, const std::array<uint32_t, kWidth>& members) const {
+uint32_t BallTree::shrinkBySome(Query& query,
+                                const std::array<uint32_t, BallNodes::kWidth>& members) const {
     constexpr int kMaxSteps = 40;
     const auto gathered = [&](Lanes BallNodes::Triangle::*part) {
         const auto& t = nodes_.triangles;
@@ -201,7 +201,7 @@ uint32_t BallTree::shrinkBySome(Query& query, const std::array<uint32_t, kWidth>
                              (height * height >= sin2 * length2);
         if (!xsimd::any(touches)) break;
         const Lanes radii =
-            stored(xsimd::select(touches, length2 / (Four(2.0F) * height), Four(kFar)));
+            stored(xsimd::select(touches, length2 / (Four(2.0F) * height), Four(kNoContact)));
         const auto least = std::min_element(radii.at.begin(), radii.at.end());
         if (!(*least < query.radius)) break;
         query.shrinkTo(*least);

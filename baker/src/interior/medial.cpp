@@ -33,7 +33,7 @@
 namespace sherd {
 namespace {
 
-constexpr size_t kGrain = 1024;  // vertices
+constexpr size_t kVertexGrain = 1024;  // vertices
 
 struct InsideTestOf {
     const SurfaceMesh& mesh;
@@ -71,9 +71,10 @@ class MedialBuilder {
     void settle();
     template <class Visit>
     void forVertices(const Visit& visit) const {
-        parallelRuns(centres_.size(), kGrain, options_.threads, [&](size_t first, size_t last) {
-            for (size_t v = first; v < last; ++v) visit(v);
-        });
+        parallelRuns(centres_.size(), kVertexGrain, options_.threads,
+                     [&](size_t first, size_t last) {
+                         for (size_t v = first; v < last; ++v) visit(v);
+                     });
     }
     glm::vec3 toObject(const glm::vec3& p) const { return medial_.frame().toObject(glm::dvec3(p)); }
 
@@ -138,7 +139,7 @@ void MedialBuilder::fill() {
     }
     std::vector<glm::vec4> means(open.size());  // of known neighbours, if w is not 0
     const auto step = [&] {
-        parallelRuns(open.size(), kGrain, options_.threads, [&](size_t first, size_t last) {
+        parallelRuns(open.size(), kVertexGrain, options_.threads, [&](size_t first, size_t last) {
             for (size_t i = first; i < last; ++i) {
                 glm::vec4 sum(0.0F);
                 for (const uint32_t u : rings.of(open[i]))

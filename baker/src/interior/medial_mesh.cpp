@@ -14,7 +14,7 @@
 namespace sherd {
 namespace {
 
-constexpr size_t kGrain = 2048;
+constexpr size_t kFootGrain = 2048;
 
 glm::vec3 unitOrZero(const glm::dvec3& n) {
     const double length = glm::length(n);
@@ -53,7 +53,7 @@ SmoothSurface smoothedSurface(const SurfaceMesh& mesh, const std::vector<glm::dv
         return sum;
     };
     std::vector<glm::dvec3> moved(feet.size());
-    parallelRuns(feet.size(), kGrain, options.threads, [&](size_t first, size_t last) {
+    parallelRuns(feet.size(), kFootGrain, options.threads, [&](size_t first, size_t last) {
         for (size_t v = first; v < last; ++v) {
             const glm::dvec3 n = normalAt(static_cast<uint32_t>(v));
             const double length2 = glm::dot(n, n);
@@ -99,7 +99,7 @@ MedialMesh::MedialMesh(const SurfaceMesh& mesh, const MeshTopology& topology,
     smoothed_.resize(count);
     tangents_.reserve(room);
     tangents_.resize(count);
-    parallelRuns(count, kGrain, options.threads, [&](size_t first, size_t last) {
+    parallelRuns(count, kFootGrain, options.threads, [&](size_t first, size_t last) {
         for (size_t v = first; v < last; ++v) {
             smoothed_[v] = glm::vec3(surface.points[v]);
             tangents_[v] = {smoothed_[v], glm::vec3(vertexNormals_[v])};
@@ -203,7 +203,7 @@ struct MedialMesh::Refinement {
 void MedialMesh::refine() {
     const double shortest = options_.refinement * frame_.diagonal;
     std::vector<uint8_t> hasLong(triangles_.triangles.size(), 0);
-    parallelRuns(hasLong.size(), kGrain, options_.threads, [&](size_t first, size_t last) {
+    parallelRuns(hasLong.size(), kFootGrain, options_.threads, [&](size_t first, size_t last) {
         for (size_t h = 3 * first; h < 3 * last; ++h)
             if (length2(static_cast<uint32_t>(h)) > shortest * shortest) hasLong[h / 3] = 1;
     });

@@ -12,7 +12,7 @@
 namespace sherd {
 namespace {
 
-constexpr size_t kGrain = 2048;
+constexpr size_t kSmoothingGrain = 2048;
 
 /// Steps of each point. Smoothing k times blurs over about sqrt(k) edges; points with longer edges
 /// take fewer steps, so that coarse meshes keep their shape.
@@ -21,7 +21,7 @@ std::vector<int> stepsWithin(std::span<const glm::dvec3> points, const VertexRin
     std::vector<int> steps(points.size(), options.iterations);
     if (std::isinf(options.reach)) return steps;
     const double most = options.reach * options.reach;
-    parallelRuns(points.size(), kGrain, threads, [&](size_t first, size_t last) {
+    parallelRuns(points.size(), kSmoothingGrain, threads, [&](size_t first, size_t last) {
         for (size_t v = first; v < last; ++v) {
             const std::span<const uint32_t> ring = rings.of(static_cast<uint32_t>(v));
             if (ring.empty()) continue;
@@ -42,7 +42,7 @@ std::vector<glm::dvec3> smoothed(std::span<const glm::dvec3> points, const Verte
     std::vector<glm::dvec3> current(points.begin(), points.end()), moved(points.size());
     const std::vector<int> steps = stepsWithin(points, rings, options, threads);
     const auto step = [&](double factor, int done) {
-        parallelRuns(points.size(), kGrain, threads, [&](size_t first, size_t last) {
+        parallelRuns(points.size(), kSmoothingGrain, threads, [&](size_t first, size_t last) {
             for (size_t v = first; v < last; ++v) {
                 moved[v] = current[v];
                 const std::span<const uint32_t> ring = rings.of(static_cast<uint32_t>(v));

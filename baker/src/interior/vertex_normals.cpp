@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-constexpr size_t kGrain = 1024;
+constexpr size_t kNormalGrain = 1024;
 
 /// Of a vector above the axis (sine > 0) with it, to 2e-8, as atan2 in a fifth of the time and the
 /// same on every system. M. Abramowitz, I. A. Stegun, "Handbook of Mathematical Functions" (1964),
@@ -54,7 +54,7 @@ glm::dvec3 unit(const glm::dvec3& n) {
 std::vector<Facet> facetsOf(std::span<const glm::dvec3> points,
                             std::span<const std::array<uint32_t, 3>> triangles, unsigned threads) {
     std::vector<Facet> facets(triangles.size());
-    parallelRuns(triangles.size(), kGrain, threads, [&](size_t first, size_t last) {
+    parallelRuns(triangles.size(), kNormalGrain, threads, [&](size_t first, size_t last) {
         for (size_t t = first; t < last; ++t) {
             const auto& [a, b, c] = triangles[t];
             facets[t] = facetOf({points[a], points[b], points[c]});
@@ -66,7 +66,7 @@ std::vector<Facet> facetsOf(std::span<const glm::dvec3> points,
 std::vector<glm::dvec3> vertexNormals(std::span<const Facet> facets, const VertexCorners& corners,
                                       size_t vertices, unsigned threads) {
     std::vector<glm::dvec3> normals(vertices);
-    parallelRuns(vertices, kGrain, threads, [&](size_t first, size_t last) {
+    parallelRuns(vertices, kNormalGrain, threads, [&](size_t first, size_t last) {
         for (size_t v = first; v < last; ++v) {
             glm::dvec3 sum(0.0);
             for (const uint32_t c : corners.of(static_cast<uint32_t>(v)))
@@ -84,7 +84,7 @@ std::vector<std::array<glm::vec3, 3>> cornerNormals(
     const double cosine = std::cos(creaseAngle), cosineOfHalf = std::cos(creaseAngle / 2);
     // Whether no two triangles around the vertex can turn from each other by the crease angle.
     std::vector<uint8_t> isSmooth(vertexNormals.size());
-    parallelRuns(isSmooth.size(), kGrain, threads, [&](size_t first, size_t last) {
+    parallelRuns(isSmooth.size(), kNormalGrain, threads, [&](size_t first, size_t last) {
         for (size_t v = first; v < last; ++v) {
             const std::span<const uint32_t> around = corners.of(static_cast<uint32_t>(v));
             isSmooth[v] = std::all_of(around.begin(), around.end(), [&](uint32_t c) {
@@ -104,7 +104,7 @@ std::vector<std::array<glm::vec3, 3>> cornerNormals(
         return glm::vec3(unit(sum));
     };
     std::vector<std::array<glm::vec3, 3>> result(triangles.size());
-    parallelRuns(triangles.size(), kGrain, threads, [&](size_t first, size_t last) {
+    parallelRuns(triangles.size(), kNormalGrain, threads, [&](size_t first, size_t last) {
         for (size_t t = first; t < last; ++t) {
             if (wanted[t] == 0) continue;
             for (size_t k = 0; k < 3; ++k) result[t][k] = normalAt(t, k);

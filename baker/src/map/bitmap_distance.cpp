@@ -15,7 +15,7 @@ namespace sherd {
 
 namespace {
 
-constexpr uint16_t kFar =
+constexpr uint16_t kNoGround =
     2 * kMaxBitmapSide;  ///< no ground in this column; more by the side at most
 
 }  // namespace
@@ -26,7 +26,7 @@ InkRadius::InkRadius(const Raster<uint8_t>& mask) : column_(mask.width, mask.hei
     const uint8_t* ink = mask.values.data();
     const size_t top = mask.index(0, 0);
     for (size_t i = top; i < top + static_cast<size_t>(mask.width); ++i)
-        distance[i] = ink[i] != 0 ? kFar : 0;
+        distance[i] = ink[i] != 0 ? kNoGround : 0;
     for (int y = 1; y < mask.height; ++y) {
         const size_t begin = mask.index(0, y);
         for (size_t i = begin; i < begin + static_cast<size_t>(mask.width); ++i)

@@ -15,7 +15,6 @@ namespace sherd {
 
 namespace {
 
-constexpr uint8_t kInk = 1;
 constexpr uint8_t kQueued = 2;
 
 struct Around {

@@ -8,6 +8,9 @@ namespace sherd {
 /// Thins ink to 8-connected lines one texel wide, with the same components, holes and ends.
 void thin(Raster<uint8_t>& mask);
 
+/// The bit of ink in a mask, which neighbourhood() counts; others mark what a step knows of it.
+inline constexpr uint8_t kInk = 1;
+
 /// Neighbour k of `index` (Raster::step) is bit k.
 inline uint8_t neighbourhood(const Raster<uint8_t>& mask, size_t index) {
     const uint8_t* at = &mask.values[index];

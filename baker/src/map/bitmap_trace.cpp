@@ -11,7 +11,6 @@ namespace sherd {
 
 namespace {
 
-constexpr uint8_t kInk = 1;       ///< what neighbourhood() counts
 constexpr uint8_t kJunction = 2;  ///< three neighbours or more
 constexpr uint8_t kWalked = 4;
 

@@ -42,8 +42,8 @@ void JsonFields::warnUnknown(const JsonPlace& object,
 }
 
 std::optional<JsonPlace> JsonFields::array(const JsonPlace& object, const char* key) {
-    static const Json kNone = Json::array();
-    if (!object.value.contains(key)) return JsonPlace{kNone, object.pointer + "/" + key};
+    static const Json kEmpty = Json::array();
+    if (!object.value.contains(key)) return JsonPlace{kEmpty, object.pointer + "/" + key};
     const JsonPlace found = object.member(key);
     if (found.value.is_array()) return found;
     wrong("an array was expected", found.pointer);

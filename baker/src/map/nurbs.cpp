@@ -31,7 +31,7 @@ constexpr double kLeastWeight = 1e-100;
 constexpr size_t kMaxDepth = 1200;
 /// A curve that gets as far as this is not flattened on: maps end at 8, and it would cost millions
 /// of points to say so later.
-constexpr double kFar = 1000;
+constexpr double kFarOut = 1000;
 /// Left for the rounding of points and distances.
 constexpr double kToleranceShare = 0.999;
 
@@ -157,7 +157,7 @@ bool flattenBezier(const Bezier& bezier, double tolerance, size_t limit,
         open.pop_back();
         if (isFlat(piece.bezier, tolerance)) {
             const glm::dvec2 end = piece.bezier.back().point;
-            const bool near = std::abs(end.x) <= kFar && std::abs(end.y) <= kFar;
+            const bool near = std::abs(end.x) <= kFarOut && std::abs(end.y) <= kFarOut;
             if (!near || out.size() >= limit) return false;
             // Where weights differ wildly, whole stretches of the parameter stay in one point.
             if (piece.bezier.back().point != out.back()) out.push_back(piece.bezier.back().point);

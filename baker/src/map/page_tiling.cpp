@@ -10,10 +10,11 @@ namespace sherd {
 namespace {
 
 /// Where clamped lines end, in tiles: beyond every texture coordinate there can be.
-constexpr double kFar = 8;
+constexpr double kFarthestTile = 8;
 
 double toGrid(double x) {
-    return std::abs(x) <= kFar ? static_cast<double>(std::llround(x * kGridOne)) / kGridOne : x;
+    return std::abs(x) <= kFarthestTile ? static_cast<double>(std::llround(x * kGridOne)) / kGridOne
+                                        : x;
 }
 
 double placed(double x, Wrap wrap, int tile) {
@@ -73,11 +74,11 @@ TiledLines clampAxis(const TiledLines& from, int axis, int first, int last) {
             for (size_t p = 0; p < run.size(); ++p) {
                 glm::dvec2 far = run[p];
                 if (first < 0 && meets(p, 0)) {
-                    far[axis] = -kFar;
+                    far[axis] = -kFarthestTile;
                     add({run[p], far}, line, from.lineOf[i]);
                 }
                 if (last > 0 && meets(p, 1)) {
-                    far[axis] = kFar;
+                    far[axis] = kFarthestTile;
                     add({run[p], far}, line, from.lineOf[i]);
                 }
             }
@@ -97,7 +98,8 @@ std::vector<Points> copyOf(const Points& points, Wrap wrapU, int u, Wrap wrapV, 
         if ((axis == 0 ? u : v) == 0) continue;
         std::vector<Points> within;
         for (const Points& copy : copies)
-            for (Points& run : clip(copy, axis, -kFar, kFar)) within.push_back(std::move(run));
+            for (Points& run : clip(copy, axis, -kFarthestTile, kFarthestTile))
+                within.push_back(std::move(run));
         copies = std::move(within);
     }
     return copies;

@@ -13,16 +13,15 @@ double height(const HalfSpace& wall, const glm::dvec3& p) {
     return glm::dot(wall.normal, p) - wall.offset;
 }
 
-/// Where a -> b meets the wall, from their heights of different signs. The same point from b to a.
-glm::dvec3 crossing(glm::dvec3 a, double ha, glm::dvec3 b, double hb) {
+}  // namespace
+
+glm::dvec3 wallCrossing(glm::dvec3 a, double ha, glm::dvec3 b, double hb) {
     if (ha > hb) {
         std::swap(a, b);
         std::swap(ha, hb);
     }
     return a + (b - a) * (ha / (ha - hb));
 }
-
-}  // namespace
 
 double volumeOf(const Polytope& polytope) {
     if (polytope.empty()) return 0;
@@ -80,7 +79,8 @@ double volumeBeyond(const Polytope& polytope, const HalfSpace& wall) {
             const glm::dvec3& b = polytope.points[f[(k + 1) % 3]];
             const double ha = height(wall, a), hb = height(wall, b);
             if (ha >= 0) loop[count++] = a;
-            if ((ha > 0 && hb < 0) || (ha < 0 && hb > 0)) loop[count++] = crossing(a, ha, b, hb);
+            if ((ha > 0 && hb < 0) || (ha < 0 && hb > 0))
+                loop[count++] = wallCrossing(a, ha, b, hb);
         }
         for (size_t k = 2; k < count; ++k)
             sum += glm::dot(loop[0] - apex, glm::cross(loop[k - 1] - apex, loop[k] - apex));
@@ -102,7 +102,7 @@ Polytope clipped(const Polytope& polytope, const HalfSpace& wall) {
             // Every edge is in two faces, once in either direction.
             if (heights[a] < 0 && heights[b] > 0)
                 kept.push_back(
-                    crossing(polytope.points[a], heights[a], polytope.points[b], heights[b]));
+                    wallCrossing(polytope.points[a], heights[a], polytope.points[b], heights[b]));
         }
     }
     return hullOf(kept);

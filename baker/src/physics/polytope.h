@@ -41,6 +41,9 @@ double roundedVolume(const Polytope& polytope, double margin);
 /// Of the part where the half-space does not hold.
 double volumeBeyond(const Polytope& polytope, const HalfSpace& wall);
 
+/// Where a -> b meets a wall, from their heights of different signs. The same point from b to a.
+glm::dvec3 wallCrossing(glm::dvec3 a, double ha, glm::dvec3 b, double hb);
+
 /// The part where the half-space holds, but for rounding; empty if that has no volume. Its sources
 /// mean nothing.
 Polytope clipped(const Polytope& polytope, const HalfSpace& wall);

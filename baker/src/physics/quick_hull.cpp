@@ -10,13 +10,13 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/bounds.h"
+#include "geometry/no_index.h"
 #include "geometry/predicates.h"
 #include "physics/polytope.h"
 
 namespace sherd {
 namespace {
 
-constexpr uint32_t kNone = 0xFFFFFFFFU;
 /// Bodies thinner than one in so much of their diagonal get a thinner skin.
 constexpr double kBulk = 4;
 

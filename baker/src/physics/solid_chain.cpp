@@ -4,15 +4,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "geometry/no_index.h"
+
 namespace sherd {
 namespace {
-
-constexpr uint32_t kNone = 0xFFFFFFFFU;
-
-/// Where a -> b meets the wall, from their heights of different signs. The same point from b to a.
-glm::dvec3 crossing(const glm::dvec3& a, double ha, const glm::dvec3& b, double hb) {
-    return ha < hb ? a + (b - a) * (ha / (ha - hb)) : b + (a - b) * (hb / (hb - ha));
-}
 
 std::vector<double> heightsOf(std::span<const glm::dvec3> points, const HalfSpace& wall) {
     std::vector<double> heights;
@@ -63,8 +58,8 @@ class SolidChain::Half {
             const double ha = sign_ * heights_[a], hb = sign_ * heights_[b];
             if (ha <= 0) loop[count++] = copy(a);
             if ((ha < 0 && hb > 0) || (ha > 0 && hb < 0)) {
-                const uint32_t x = loop[count++] =
-                    add(crossing(whole_.points_[a], heights_[a], whole_.points_[b], heights_[b]));
+                const uint32_t x = loop[count++] = add(
+                    wallCrossing(whole_.points_[a], heights_[a], whole_.points_[b], heights_[b]));
                 (hb > 0 ? leaves : enters) = x;
             } else {
                 if (ha == 0 && hb >= 0) leaves = copy(a);
@@ -112,7 +107,7 @@ std::pair<std::vector<glm::dvec3>, std::vector<glm::dvec3>> SolidChain::splitPoi
             // Where the skin ends at a cap an edge is in one triangle only.
             if (!((heights[a] < 0 && heights[b] > 0) || (heights[a] > 0 && heights[b] < 0)))
                 continue;
-            const glm::dvec3 x = crossing(points_[a], heights[a], points_[b], heights[b]);
+            const glm::dvec3 x = wallCrossing(points_[a], heights[a], points_[b], heights[b]);
             out.first.push_back(x);
             out.second.push_back(x);
         }

@@ -8,20 +8,18 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kFarthest = 1e9;  // metres
-
 /// A height along y, or a point with the direction upwards.
 bool readBelow(RecipeReader& reader, const Json& json, const std::string& pointer,
                RecipeAnchor& anchor) {
     anchor.kind = RecipeAnchor::Kind::below;
     if (json.is_number())
-        return reader.number(anchor.point.y, -kFarthest, kFarthest)(json, pointer);
+        return reader.number(anchor.point.y, -kFarthestPlace, kFarthestPlace)(json, pointer);
     if (!json.is_object())
         return reader.wrong(pointer,
                             "must be a height along y in metres, or an object with a \"point\" and "
                             "a \"normal\"");
     if (!reader.object(json, pointer,
-                       {{"point", reader.vector(anchor.point, -kFarthest, kFarthest)},
+                       {{"point", reader.vector(anchor.point, -kFarthestPlace, kFarthestPlace)},
                         {"normal", reader.vector(anchor.normal, -1e6, 1e6)}}))
         return false;
     if (!json.contains("point"))
@@ -35,8 +33,8 @@ bool readBox(RecipeReader& reader, const Json& json, const std::string& pointer,
              RecipeAnchor& anchor) {
     anchor.kind = RecipeAnchor::Kind::box;
     if (!reader.object(json, pointer,
-                       {{"min", reader.vector(anchor.low, -kFarthest, kFarthest)},
-                        {"max", reader.vector(anchor.high, -kFarthest, kFarthest)}}))
+                       {{"min", reader.vector(anchor.low, -kFarthestPlace, kFarthestPlace)},
+                        {"max", reader.vector(anchor.high, -kFarthestPlace, kFarthestPlace)}}))
         return false;
     if (!json.contains("min") || !json.contains("max"))
         return reader.wrong(pointer, "needs a \"min\" and a \"max\" corner [x, y, z]");

@@ -7,12 +7,10 @@
 namespace sherd {
 namespace {
 
-constexpr double kFarthest = 1e9;  // metres
-
 bool isPlace(const nlohmann::json& json) {
     return json.is_array() && json.size() == 3 &&
            std::all_of(json.begin(), json.end(), [](const nlohmann::json& x) {
-               return x.is_number() && std::abs(x.get<double>()) <= kFarthest;
+               return x.is_number() && std::abs(x.get<double>()) <= kFarthestPlace;
            });
 }
 
@@ -43,7 +41,7 @@ bool readChoice(RecipeReader& reader, const nlohmann::json& json, const std::str
              {"smaller", reader.number(choice.smaller, 0, 1)},
              {"near", [&](const nlohmann::json& j,
                           const std::string& p) { return readPlaces(reader, j, p, choice.near); }},
-             {"within", reader.number(choice.within, 0, kFarthest)},
+             {"within", reader.number(choice.within, 0, kFarthestPlace)},
              {"name", reader.string(choice.name)}}))
         return false;
     if (choice.within > 0 && choice.near.empty())

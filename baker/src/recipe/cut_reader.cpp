@@ -8,8 +8,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kFarthest = 1e9;  // metres
-
 bool readDrawn(RecipeReader& reader, const Json& json, const std::string& pointer, VolumeCut& cut) {
     std::string map, axis;
     PieceChoice& only = cut.only;
@@ -21,7 +19,7 @@ bool readDrawn(RecipeReader& reader, const Json& json, const std::string& pointe
              {"smaller", reader.number(only.smaller, 0, 1)},
              {"near", [&](const Json& j,
                           const std::string& p) { return readPlaces(reader, j, p, only.near); }},
-             {"within", reader.number(only.within, 0, kFarthest)},
+             {"within", reader.number(only.within, 0, kFarthestPlace)},
              {"name", reader.string(only.name)}}))
         return false;
     if (map.empty())

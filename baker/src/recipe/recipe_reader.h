@@ -14,6 +14,9 @@
 
 namespace sherd {
 
+/// How far from the origin a recipe may name a place, along each axis; in metres.
+inline constexpr double kFarthestPlace = 1e9;
+
 /// Reads JSON objects field by field; every key must be known. The first mistake stops it and is
 /// kept with its pointer; readers return false from then on.
 class RecipeReader {

@@ -131,7 +131,7 @@ class LineCarrier {
         if (!far) return false;
         constexpr double kAbout = 0.7;     // of the thickness
         constexpr double kParallel = 0.7;  // cosine of 45 degrees
-        constexpr double kOpposed = -0.3;
+        constexpr double kFacing = -0.3;
         const glm::dvec3 middle = (at(start(h)) + at(end(h))) * 0.5;
         const glm::dvec3 along = glm::normalize(at(end(h)) - at(start(h)));
         const glm::dvec3 normal = meanNormal(h);
@@ -139,7 +139,7 @@ class LineCarrier {
             const uint32_t o = links_[other].halfEdge;
             const glm::dvec3 way = at(end(o)) - at(start(o));
             return std::abs(glm::dot(way, along)) > kParallel * glm::length(way) &&
-                   glm::dot(meanNormal(o), normal) < kOpposed;
+                   glm::dot(meanNormal(o), normal) < kFacing;
         };
         const double reach = kAbout * glm::distance(middle, far->position);
         return lines.closest(far->position, reach, runsAlong).triangle != ClosestPoint::kNone;

@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
-namespace sherd {
+#include "geometry/no_index.h"
 
-inline constexpr uint32_t kNone = 0xFFFFFFFFU;
+namespace sherd {
 
 struct MeshTopology {
     struct Edge {

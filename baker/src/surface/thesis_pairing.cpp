@@ -9,8 +9,9 @@
 namespace sherd {
 namespace {
 
-constexpr double kFarthest = 0.01;            ///< share of the edge
-constexpr int64_t kGrain = int64_t{1} << 40;  ///< averages are rounded to this part of the edge
+constexpr double kFarthestTwin = 0.01;  ///< share of the edge
+/// Averages are rounded to this part of the edge.
+constexpr int64_t kPlaceGrain = int64_t{1} << 40;
 
 struct Place {
     uint32_t halfEdge;
@@ -44,8 +45,9 @@ uint32_t averagePairs(std::vector<LineParameter>& a, std::vector<LineParameter>&
     for (size_t i = 0; i < a.size(); ++i) {
         const double x = a[i].approximate();
         const double y = b[i].approximate();
-        if (a[i] == b[i] || std::abs(x - y) > kFarthest) continue;
-        newA[i] = newB[i] = {std::llround((x + y) / 2 * static_cast<double>(kGrain)), kGrain};
+        if (a[i] == b[i] || std::abs(x - y) > kFarthestTwin) continue;
+        newA[i] =
+            newB[i] = {std::llround((x + y) / 2 * static_cast<double>(kPlaceGrain)), kPlaceGrain};
         ++moved;
     }
     if (!ascendsInside(newA) || !ascendsInside(newB)) return 0;

@@ -3,13 +3,12 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/no_index.h"
 #include "volume/edge_pairing.h"
 #include "volume/touching_edges.h"
 
 namespace sherd {
 namespace {
-
-constexpr uint32_t kNone = 0xFFFFFFFFU;
 
 /// Follows uses of edges from piece to piece.
 class ClashingUses {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/no_index.h"
 #include "geometry/triangle.h"
 #include "geometry/union_find.h"
 #include "volume/edge_pairing.h"
@@ -12,8 +13,6 @@ namespace sherd {
 namespace {
 
 using Triangle = std::array<uint32_t, 3>;
-constexpr uint32_t kNone = 0xFFFFFFFFU;
-
 }  // namespace
 
 PieceBuilder::PieceBuilder(const MeshCut& cut, std::vector<uint32_t> groupOf)

@@ -9,14 +9,13 @@
 
 #include "geometry/bounds.h"
 #include "geometry/closed_mesh.h"
+#include "geometry/no_index.h"
 #include "geometry/union_find.h"
 #include "volume/piece_builder.h"
 #include "volume/touching_edges.h"
 
 namespace sherd {
 namespace {
-
-constexpr uint32_t kNone = CutPieces::kNone;
 
 /// Pieces as groups of cells, put together until none is a sliver and none touches itself where it
 /// cannot be told apart.
@@ -31,10 +30,10 @@ class Assembly {
     }
 
     CutPieces run() {
-        constexpr int kMostRounds = 16;  // each mends what the one before left: two do nearly
+        constexpr int kMostMendings = 16;  // each mends what the one before left: two do nearly
         for (int round = 0;; ++round) {
             build();
-            if (round == kMostRounds || (!mergeSlivers() && !halveClashes())) break;
+            if (round == kMostMendings || (!mergeSlivers() && !halveClashes())) break;
         }
         CutPieces result;
         result.slivers = slivers_;

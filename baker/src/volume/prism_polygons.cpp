@@ -7,12 +7,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/no_index.h"
+
 namespace sherd {
-namespace {
-
-constexpr uint32_t kNone = PrismMap::kNone;
-
-}  // namespace
+namespace {}  // namespace
 
 PrismPolygons::PrismPolygons(const PrismInput& input, PrismVertices& vertices)
     : input_(input), vertices_(vertices) {}

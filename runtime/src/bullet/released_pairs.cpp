@@ -9,7 +9,7 @@
 namespace sherd {
 namespace {
 
-constexpr uint32_t kNoIsland = UINT32_MAX;
+constexpr uint32_t kNotReleased = UINT32_MAX;
 
 }  // namespace
 
@@ -67,7 +67,7 @@ void ReleasedPairs::settleInPlace(std::span<const Newcomer> group) {
     if (overlaps.areNone()) return;
     for (const Newcomer& newcomer : group)
         for (const uint32_t fragment : bodies_.fragmentsOf(newcomer.island)) {
-            if (islandOf_.size() <= fragment) islandOf_.resize(fragment + 1, kNoIsland);
+            if (islandOf_.size() <= fragment) islandOf_.resize(fragment + 1, kNotReleased);
             islandOf_[fragment] = newcomer.island;
         }
     for (const Newcomer& newcomer : group)
@@ -75,13 +75,13 @@ void ReleasedPairs::settleInPlace(std::span<const Newcomer> group) {
             for (const uint32_t other : overlaps.of(fragment)) {
                 if (other >= islandOf_.size()) break;
                 const uint32_t partner = islandOf_[other];
-                if (partner == kNoIsland || partner <= newcomer.island) continue;
+                if (partner == kNotReleased || partner <= newcomer.island) continue;
                 ignored_.add(bodies_.body(newcomer.island), bodies_.body(partner),
                              tolerance_ * bodies_.diagonalOf(partner));
             }
     for (const Newcomer& newcomer : group)
         for (const uint32_t fragment : bodies_.fragmentsOf(newcomer.island))
-            islandOf_[fragment] = kNoIsland;
+            islandOf_[fragment] = kNotReleased;
 }
 
 /// Sweep and prune along x, then the exact test.

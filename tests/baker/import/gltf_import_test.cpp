@@ -8,26 +8,18 @@
 #include <limits>
 
 #include "mesh_facts.h"
+#include "tiny_import.h"
 #include "tiny_model.h"
 
 using namespace sherd;
+using sherd::test::import;
+using sherd::test::importOne;
 using sherd::test::Json;
 using sherd::test::signedVolume;
 using sherd::test::tetrahedron;
 using sherd::test::TinyModel;
 
 namespace {
-
-Result<std::vector<SurfaceMesh>> import(const TinyModel& model, const ImportOptions& options = {}) {
-    return importGltf(model.document(), "t.glb", options);
-}
-
-SurfaceMesh importOne(const TinyModel& model) {
-    auto meshes = import(model);
-    REQUIRE_MESSAGE(meshes, (meshes ? "" : meshes.error().message + meshes.error().where));
-    REQUIRE(meshes->size() == 1);
-    return std::move(meshes->front());
-}
 
 void checkRefused(const TinyModel& model, ErrorCode code, const std::string& where) {
     auto meshes = import(model);

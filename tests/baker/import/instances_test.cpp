@@ -7,9 +7,12 @@
 
 #include "import/gltf_import.h"
 #include "mesh_facts.h"
+#include "tiny_import.h"
 #include "tiny_model.h"
 
 using namespace sherd;
+using sherd::test::addNode;
+using sherd::test::importAll;
 using sherd::test::Json;
 using sherd::test::mentions;
 using sherd::test::signedVolume;
@@ -18,12 +21,6 @@ using sherd::test::TinyModel;
 
 namespace {
 
-std::vector<SurfaceMesh> importAll(const TinyModel& model, const ImportOptions& options = {}) {
-    auto meshes = importGltf(model.document(), "t.glb", options);
-    REQUIRE_MESSAGE(meshes, (meshes ? "" : meshes.error().message + meshes.error().where));
-    return std::move(*meshes);
-}
-
 SurfaceMesh joined(const TinyModel& model, const std::vector<std::string>& nodes = {}) {
     ImportOptions options;
     options.nodes = nodes;
@@ -31,13 +28,6 @@ SurfaceMesh joined(const TinyModel& model, const std::vector<std::string>& nodes
     std::vector<SurfaceMesh> meshes = importAll(model, options);
     REQUIRE(meshes.size() == 1);
     return std::move(meshes.front());
-}
-
-int node(TinyModel& model, Json made) {
-    model.json["nodes"].push_back(std::move(made));
-    const int index = static_cast<int>(model.json["nodes"].size()) - 1;
-    model.json["scenes"][0]["nodes"].push_back(index);
-    return index;
 }
 
 /// Where the scene shows a position of the mesh.
@@ -50,8 +40,8 @@ glm::vec3 shown(const SurfaceMesh& mesh, size_t position) {
 TEST_CASE("two nodes that show a mesh at one scale are one object, hung on the lower node") {
     TinyModel model = tetrahedron();
     model.json["nodes"][0]["scale"] = {2, 2, 2};
-    node(model, {{"mesh", 0}, {"name", "b"}, {"scale", {2, 2, 2}}, {"translation", {5, 0, 0}}});
-    node(model, {{"mesh", 0}, {"scale", {2, 2, 2}}, {"rotation", {0, 1, 0, 0}}});
+    addNode(model, {{"mesh", 0}, {"name", "b"}, {"scale", {2, 2, 2}}, {"translation", {5, 0, 0}}});
+    addNode(model, {{"mesh", 0}, {"scale", {2, 2, 2}}, {"rotation", {0, 1, 0, 0}}});
     for (const ImportOptions& options : {ImportOptions(), ImportOptions{{"2", "b", "thing"}, 0}}) {
         const std::vector<SurfaceMesh> meshes = importAll(model, options);
         REQUIRE(meshes.size() == 1);
@@ -67,9 +57,9 @@ TEST_CASE("two nodes that show a mesh at one scale are one object, hung on the l
 
 TEST_CASE("another scale, or a mirror, makes another object, and that is said") {
     TinyModel model = tetrahedron();
-    node(model, {{"mesh", 0}, {"name", "big"}, {"scale", {2, 2, 2}}});
-    node(model, {{"mesh", 0}, {"name", "mirrored"}, {"scale", {-1, 1, 1}}});
-    node(model, {{"mesh", 0}, {"name", "twin"}, {"scale", {2, 2, 2}}});
+    addNode(model, {{"mesh", 0}, {"name", "big"}, {"scale", {2, 2, 2}}});
+    addNode(model, {{"mesh", 0}, {"name", "mirrored"}, {"scale", {-1, 1, 1}}});
+    addNode(model, {{"mesh", 0}, {"name", "twin"}, {"scale", {2, 2, 2}}});
     const std::vector<SurfaceMesh> meshes = importAll(model);
     REQUIRE(meshes.size() == 3);
     CHECK(meshes[1].sameNodes == std::vector<int32_t>{3});
@@ -82,7 +72,7 @@ TEST_CASE("another scale, or a mirror, makes another object, and that is said") 
 TEST_CASE("equal meshes of different numbers are not the same object") {
     TinyModel model = tetrahedron();
     model.json["meshes"].push_back(model.json["meshes"][0]);
-    node(model, {{"mesh", 1}});
+    addNode(model, {{"mesh", 1}});
     CHECK(importAll(model).size() == 2);
 }
 
@@ -99,7 +89,7 @@ TEST_CASE("two sights of a mesh with other lines below them are two objects") {
     model.json["nodes"].push_back({{"mesh", first}});
     model.json["nodes"][0]["children"] = {1};
     model.json["nodes"].push_back({{"mesh", second}});
-    const int twin = node(model, {{"mesh", 0}, {"translation", {3, 0, 0}}, {"children", {2}}});
+    const int twin = addNode(model, {{"mesh", 0}, {"translation", {3, 0, 0}}, {"children", {2}}});
     std::vector<SurfaceMesh> meshes = importAll(model);
     REQUIRE(meshes.size() == 2);
     CHECK(meshes[0].lines.size() == 1);
@@ -133,10 +123,10 @@ TEST_CASE("joined nodes are one mesh in the frame of the first, welded where pos
         two.json["nodes"][0]["translation"] = {7, 8, 9};
         // The second lies beside the first along the first's own x: corner (1,0,0) is shared.
         const glm::dvec3 beside = rotation[2] == 0 ? glm::dvec3(8, 8, 9) : glm::dvec3(7, 9, 9);
-        node(two, {{"mesh", 0},
-                   {"name", "second"},
-                   {"rotation", rotation},
-                   {"translation", {beside.x, beside.y, beside.z}}});
+        addNode(two, {{"mesh", 0},
+                      {"name", "second"},
+                      {"rotation", rotation},
+                      {"translation", {beside.x, beside.y, beside.z}}});
         const SurfaceMesh mesh = joined(two);
         CHECK(mesh.name == "thing");
         CHECK(mesh.node == 0);
@@ -157,10 +147,10 @@ TEST_CASE("a joined node keeps its scale and turn, and a mirrored one turns its 
     TinyModel model = tetrahedron();
     model.json["nodes"][0]["rotation"] = {0.5, 0.5, 0.5, 0.5};
     model.json["nodes"][0]["translation"] = {1, 2, 3};
-    node(model, {{"mesh", 0},
-                 {"scale", {-2, 3, 4}},
-                 {"rotation", {0, std::sqrt(0.5), 0, std::sqrt(0.5)}},
-                 {"translation", {-4, 5, 6}}});
+    addNode(model, {{"mesh", 0},
+                    {"scale", {-2, 3, 4}},
+                    {"rotation", {0, std::sqrt(0.5), 0, std::sqrt(0.5)}},
+                    {"translation", {-4, 5, 6}}});
     const SurfaceMesh mesh = joined(model);
     REQUIRE(mesh.positions.size() == 8);
     CHECK(signedVolume(mesh) == doctest::Approx((1.0 + 24.0) / 6));
@@ -177,7 +167,7 @@ TEST_CASE("joined nodes bring their materials, and what one lacks is given defau
         {{"primitives", Json::array({{{"attributes", {{"POSITION", 0}, {"COLOR_0", color}}},
                                       {"indices", 2},
                                       {"material", 0}}})}});
-    node(model, {{"mesh", 1}, {"translation", {3, 0, 0}}});
+    addNode(model, {{"mesh", 1}, {"translation", {3, 0, 0}}});
     const SurfaceMesh mesh = joined(model);
     CHECK(mesh.materials == std::vector<int32_t>{1, 0});
     CHECK(mesh.triangleMaterials == std::vector<uint32_t>{0, 0, 0, 0, 1, 1, 1, 1});
@@ -191,7 +181,7 @@ TEST_CASE("joined nodes bring their materials, and what one lacks is given defau
 
 TEST_CASE("the order in which nodes are named decides whose frame it is") {
     TinyModel model = tetrahedron();
-    node(model, {{"mesh", 0}, {"name", "second"}, {"translation", {3, 0, 0}}});
+    addNode(model, {{"mesh", 0}, {"name", "second"}, {"translation", {3, 0, 0}}});
     const SurfaceMesh mesh = joined(model, {"second", "thing"});
     CHECK(mesh.name == "second");
     CHECK(mesh.node == 1);
@@ -202,7 +192,7 @@ TEST_CASE("the order in which nodes are named decides whose frame it is") {
 
 TEST_CASE("a joined node that cannot be one is refused as if it were alone") {
     TinyModel model = tetrahedron();
-    node(model, {{"mesh", 0}, {"skin", 0}});
+    addNode(model, {{"mesh", 0}, {"skin", 0}});
     ImportOptions options;
     options.join = true;
     CHECK(importGltf(model.document(), "t.glb", options).error().code == ErrorCode::skinnedMesh);

@@ -11,9 +11,13 @@
 #include "import/obj_import.h"
 #include "mesh_facts.h"
 #include "support/property.h"
+#include "tiny_import.h"
 #include "tiny_model.h"
 
 using namespace sherd;
+using sherd::test::addNode;
+using sherd::test::import;
+using sherd::test::importAll;
 using sherd::test::Json;
 using sherd::test::mentions;
 using sherd::test::propertyCases;
@@ -23,34 +27,12 @@ using sherd::test::TinyModel;
 
 namespace {
 
-Result<std::vector<SurfaceMesh>> import(const TinyModel& model, const ImportOptions& options = {}) {
-    return importGltf(model.document(), "t.glb", options);
-}
-
-std::vector<SurfaceMesh> importAll(const TinyModel& model, const ImportOptions& options = {}) {
-    auto meshes = import(model, options);
-    REQUIRE_MESSAGE(meshes, (meshes ? "" : meshes.error().message + meshes.error().where));
-    return std::move(*meshes);
-}
-
 /// Adds a mesh of one primitive of lines; returns its index.
 int lineMesh(TinyModel& model, const std::vector<float>& points, int mode = 1) {
     model.json["meshes"].push_back(
         {{"primitives",
           Json::array({{{"attributes", {{"POSITION", model.vec3(points)}}}, {"mode", mode}}})}});
     return static_cast<int>(model.json["meshes"].size()) - 1;
-}
-
-/// Adds a node of the scene, or a child of `parent`; returns its index.
-int node(TinyModel& model, Json made, int parent = -1) {
-    model.json["nodes"].push_back(std::move(made));
-    const int index = static_cast<int>(model.json["nodes"].size()) - 1;
-    if (parent < 0) {
-        model.json["scenes"][0]["nodes"].push_back(index);
-    } else {
-        model.json["nodes"][static_cast<size_t>(parent)]["children"].push_back(index);
-    }
-    return index;
 }
 
 std::vector<glm::dvec3> pointsOf(const FractureMap::SurfaceLine& line) {
@@ -209,11 +191,12 @@ TEST_CASE("lines of nodes at any depth below an object are its own, with the lev
     TinyModel model = tetrahedron();
     model.json["nodes"][0]["translation"] = {0, 0, 5};
     const int lines = lineMesh(model, {0, 0, 0, 1, 0, 0});
-    const int group = node(model, {{"translation", {0, 2, 0}}}, 0);
-    node(model, {{"name", "Cracks level 2"}, {"mesh", lines}, {"translation", {1, 0, 0}}}, group);
+    const int group = addNode(model, {{"translation", {0, 2, 0}}}, 0);
+    addNode(model, {{"name", "Cracks level 2"}, {"mesh", lines}, {"translation", {1, 0, 0}}},
+            group);
     model.json["meshes"].push_back(model.json["meshes"][static_cast<size_t>(lines)]);
     model.json["meshes"].back()["name"] = "level_3.001";
-    node(model, {{"mesh", lines + 1}}, 0);
+    addNode(model, {{"mesh", lines + 1}}, 0);
     const std::vector<SurfaceMesh> meshes = importAll(model);
     REQUIRE(meshes.size() == 1);
     CHECK(meshes[0].warnings.empty());
@@ -228,8 +211,8 @@ TEST_CASE("lines of nodes at any depth below an object are its own, with the lev
 TEST_CASE("lines belong to the nearest object above them") {
     TinyModel model = tetrahedron();
     const int lines = lineMesh(model, {0, 0, 0, 1, 0, 0});
-    const int inner = node(model, {{"mesh", 0}, {"name", "inner"}, {"scale", {2, 2, 2}}}, 0);
-    node(model, {{"mesh", lines}}, inner);
+    const int inner = addNode(model, {{"mesh", 0}, {"name", "inner"}, {"scale", {2, 2, 2}}}, 0);
+    addNode(model, {{"mesh", lines}}, inner);
     const std::vector<SurfaceMesh> meshes = importAll(model);
     REQUIRE(meshes.size() == 2);
     CHECK(meshes[0].lines.empty());
@@ -240,11 +223,11 @@ TEST_CASE("lines belong to the nearest object above them") {
 TEST_CASE("lines below no object are given to the only one, and to none of several") {
     TinyModel model = tetrahedron();
     const int lines = lineMesh(model, {0, 0, 0, 1, 0, 0});
-    node(model, {{"mesh", lines}, {"name", "Cracks"}});
+    addNode(model, {{"mesh", lines}, {"name", "Cracks"}});
     const SurfaceMesh only = importAll(model).front();
     CHECK(only.lines.size() == 1);
     CHECK(only.warnings.empty());
-    node(model, {{"mesh", 0}, {"name", "other"}, {"scale", {2, 2, 2}}});
+    addNode(model, {{"mesh", 0}, {"name", "other"}, {"scale", {2, 2, 2}}});
     const std::vector<SurfaceMesh> two = importAll(model);
     REQUIRE(two.size() == 2);
     CHECK(two[0].lines.empty());
@@ -266,7 +249,7 @@ TEST_CASE("line nodes of another scene are not taken") {
 
 TEST_CASE("a node of nothing but points is still left out and said so") {
     TinyModel model = tetrahedron();
-    node(model, {{"mesh", lineMesh(model, {0, 0, 0}, 0)}});
+    addNode(model, {{"mesh", lineMesh(model, {0, 0, 0}, 0)}});
     const std::vector<SurfaceMesh> meshes = importAll(model);
     REQUIRE(meshes.size() == 1);
     CHECK(mentions(meshes[0].warnings, "node 1 has no triangles; left out"));
@@ -274,7 +257,7 @@ TEST_CASE("a node of nothing but points is still left out and said so") {
 
 TEST_CASE("a line node asked for by name is no object") {
     TinyModel model = tetrahedron();
-    node(model, {{"mesh", lineMesh(model, {0, 0, 0, 1, 0, 0})}, {"name", "Cracks"}});
+    addNode(model, {{"mesh", lineMesh(model, {0, 0, 0, 1, 0, 0})}, {"name", "Cracks"}});
     const auto meshes = import(model, {{"Cracks"}, 0});
     REQUIRE_FALSE(meshes);
     CHECK(meshes.error().code == ErrorCode::noTriangles);
@@ -296,7 +279,7 @@ TEST_CASE("bad accessors of lines are refused where they stand") {
         TinyModel model = tetrahedron();
         const int lines = lineMesh(model, {0, 0, 0, 1, 0, 0});
         model.json["meshes"][1]["primitives"][0]["indices"] = model.indices({0, 1});
-        node(model, {{"mesh", lines}}, 0);
+        addNode(model, {{"mesh", lines}}, 0);
         CHECK(importAll(model)[0].lines.size() == 1);
         model.json[Json::json_pointer(breakage.pointer)] = breakage.value;
         const auto meshes = import(model);
@@ -304,10 +287,10 @@ TEST_CASE("bad accessors of lines are refused where they stand") {
         CHECK(meshes.error().where == std::string("t.glb#") + breakage.where);
     }
     TinyModel infinite = tetrahedron();
-    node(infinite, {{"mesh", lineMesh(infinite, {0, 0, 0, INFINITY, 0, 0})}}, 0);
+    addNode(infinite, {{"mesh", lineMesh(infinite, {0, 0, 0, INFINITY, 0, 0})}}, 0);
     CHECK(import(infinite).error().code == ErrorCode::invalidData);
     TinyModel skinned = tetrahedron();
-    node(skinned, {{"mesh", lineMesh(skinned, {0, 0, 0, 1, 0, 0})}, {"skin", 0}}, 0);
+    addNode(skinned, {{"mesh", lineMesh(skinned, {0, 0, 0, 1, 0, 0})}, {"skin", 0}}, 0);
     CHECK(import(skinned).error().code == ErrorCode::skinnedMesh);
 }
 

@@ -6,9 +6,11 @@
 
 #include "import/gltf_import.h"
 #include "mesh_facts.h"
+#include "tiny_import.h"
 #include "tiny_model.h"
 
 using namespace sherd;
+using sherd::test::importOne;
 using sherd::test::Json;
 using sherd::test::mentions;
 using sherd::test::tetrahedron;
@@ -31,13 +33,6 @@ TinyModel pictured(const Json& textureInfo = Json::object(), const Json& sampler
     }
     model.json["meshes"][0]["primitives"][0]["material"] = 0;
     return model;
-}
-
-SurfaceMesh importOne(const TinyModel& model, uint32_t uvSet = 0) {
-    auto meshes = importGltf(model.document(), "t.glb", {{}, uvSet});
-    REQUIRE_MESSAGE(meshes, (meshes ? "" : meshes.error().message + meshes.error().where));
-    REQUIRE(meshes->size() == 1);
-    return std::move(meshes->front());
 }
 
 Json transformed(const Json& extension) {

@@ -123,7 +123,7 @@ inline Shape icosphere(const glm::vec3& centre, float radius, int steps) {
 }
 
 /// A torus around z.
-inline Shape torus(float major, float minor, uint32_t around, uint32_t across) {
+inline Shape torusShape(float major, float minor, uint32_t around, uint32_t across) {
     Shape shape;
     for (uint32_t i = 0; i < around; ++i) {
         for (uint32_t j = 0; j < across; ++j) {

@@ -42,7 +42,7 @@ TEST_CASE("a needle as thin as rounding is near to what lies on it") {
 TEST_CASE("the closest point equals the best of all triangles") {
     Random random(77);
     for (int round = 0; round < propertyCases(20); ++round) {
-        Shape shape = torus(1, 0.4F, 17, 11);
+        Shape shape = torusShape(1, 0.4F, 17, 11);
         shape.transform([&](glm::vec3 p) {
             return p + 0.2F * glm::vec3(random.unit(), random.unit(), random.unit());
         });
@@ -66,7 +66,7 @@ TEST_CASE("the closest point equals the best of all triangles") {
 }
 
 TEST_CASE("100,000 closest points on 100,000 triangles are quick") {
-    const Shape shape = torus(1, 0.4F, 320, 157);
+    const Shape shape = torusShape(1, 0.4F, 320, 157);
     const auto start = std::chrono::steady_clock::now();
     const TriangleBvh bvh(shape.positions, shape.triangles);
     const auto built = std::chrono::steady_clock::now();

@@ -24,7 +24,7 @@ TEST_CASE("an empty or flat object has no points to cover") {
 }
 
 TEST_CASE("without fragments nothing is covered; the object covers itself once") {
-    const Shape shape = torus(2, 0.5F, 24, 12);
+    const Shape shape = torusShape(2, 0.5F, 24, 12);
     CHECK(measureCoverage(soup(shape), {}).noneShare() == 1);
     const std::vector<TriangleSoup> itself{soup(shape)};
     const Coverage coverage = measureCoverage(soup(shape), itself);

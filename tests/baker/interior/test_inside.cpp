@@ -155,7 +155,8 @@ TEST_CASE("winding numbers equal the sum of solid angles on random closed surfac
         const uint32_t parts = 1 + random.below(3);
         for (uint32_t part = 0; part < parts; ++part) {
             const auto at = [&] { return static_cast<float>(random.in(-1, 1)); };
-            Shape s = round % 2 == 0 ? torus(1, 0.4F, 9, 7) : sphere({0, 0, 0}, {1, 0.6F, 0.8F}, 4);
+            Shape s =
+                round % 2 == 0 ? torusShape(1, 0.4F, 9, 7) : sphere({0, 0, 0}, {1, 0.6F, 0.8F}, 4);
             const glm::vec3 shift(at(), at(), at());
             // Noise folds the surface over itself: windings beyond 0 and 1, and negative ones.
             s.transform(
@@ -181,7 +182,7 @@ TEST_CASE("winding numbers equal the sum of solid angles on random closed surfac
 }
 
 TEST_CASE("a batch says the same whatever the number of threads, and is quick") {
-    const Shape shape = torus(1, 0.4F, 205, 100);  // 41,000 triangles
+    const Shape shape = torusShape(1, 0.4F, 205, 100);  // 41,000 triangles
     const auto start = std::chrono::steady_clock::now();
     const InsideTest test = insideOf(shape);
     const auto built = std::chrono::steady_clock::now();

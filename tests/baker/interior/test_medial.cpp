@@ -271,7 +271,7 @@ TEST_CASE("the medial surface of a sphere is its centre") {
 
 TEST_CASE("the medial surface of a torus is its centre circle") {
     for (const uint32_t fineness : {1U, 2U, 4U}) {
-        const Shape shape = torus(2, 0.5F, 48 * fineness, 16 * fineness);
+        const Shape shape = torusShape(2, 0.5F, 48 * fineness, 16 * fineness);
         const MedialSurface medial = medialOf(shape);
         CHECK(farthest(shape, medial, [](const Sample& s) {
                   const double across = std::hypot(s.point.x, s.point.y);
@@ -390,7 +390,7 @@ TEST_CASE("overlapping and touching parts are one solid") {
 TEST_CASE("the thesis' own medial surface is that of the poles") {
     MedialOptions options;
     options.thesis = true;
-    const Shape shape = torus(2, 0.5F, 48, 16);
+    const Shape shape = torusShape(2, 0.5F, 48, 16);
     const MedialSurface medial = medialOf(shape, options);
     CHECK(medial.points.size() == shape.positions.size());
     CHECK(medial.delaunaySeconds > 0);
@@ -399,7 +399,7 @@ TEST_CASE("the thesis' own medial surface is that of the poles") {
 
 TEST_CASE("scaling by powers of two scales the medial surface bit by bit; threads change nothing") {
     Random random(99);
-    Shape shape = torus(2, 0.5F, 120, 48);  // enough vertices that some learn from others
+    Shape shape = torusShape(2, 0.5F, 120, 48);  // enough vertices that some learn from others
     shape.append(box({0, 0, -0.1F}, {0.5F, 0.5F, 0.1F}));
     shape.transform([&](glm::vec3 p) {
         return p + glm::vec3(7, 0, 0) +

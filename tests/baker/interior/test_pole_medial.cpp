@@ -19,7 +19,7 @@ using namespace sherd::test;
 namespace {
 
 /// The medial surface, with the promise checked that nothing is outside.
-PoleMedialSurface medialOf(const SurfaceMesh& mesh, const PoleMedialOptions& options = {}) {
+PoleMedialSurface poleMedialOf(const SurfaceMesh& mesh, const PoleMedialOptions& options = {}) {
     const Result<PoleMedialSurface> result = poleMedialSurface(mesh, options);
     REQUIRE(result.has_value());
     REQUIRE(result->points.size() == mesh.positions.size());
@@ -33,8 +33,8 @@ PoleMedialSurface medialOf(const SurfaceMesh& mesh, const PoleMedialOptions& opt
     return *result;
 }
 
-PoleMedialSurface medialOf(const Shape& shape) {
-    return medialOf(shape.mesh());
+PoleMedialSurface poleMedialOf(const Shape& shape) {
+    return poleMedialOf(shape.mesh());
 }
 
 /// How many points are as `allowed` says, 0..1.
@@ -46,10 +46,10 @@ double share(const std::vector<glm::vec3>& points, const auto& allowed) {
 }  // namespace
 
 TEST_CASE("an empty mesh has an empty medial surface") {
-    CHECK(medialOf(SurfaceMesh{}).points.empty());
+    CHECK(poleMedialOf(SurfaceMesh{}).points.empty());
     SurfaceMesh cloud;
     cloud.positions = {{0, 0, 0}, {1, 2, 3}};
-    const PoleMedialSurface medial = medialOf(cloud);
+    const PoleMedialSurface medial = poleMedialOf(cloud);
     CHECK(medial.points == cloud.positions);
     CHECK(medial.onSurface == 2);
 }
@@ -68,17 +68,17 @@ TEST_CASE("surfaces in one plane or one point stay where they are, with a word a
     SurfaceMesh flat;
     flat.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 2, 0}, {0, 2, 0}};
     flat.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 4, 5}};
-    CHECK(medialOf(flat).points == flat.positions);
-    CHECK(medialOf(flat).warnings.size() == 1);
+    CHECK(poleMedialOf(flat).points == flat.positions);
+    CHECK(poleMedialOf(flat).warnings.size() == 1);
 
     SurfaceMesh twoSided = flat;
     twoSided.triangles = {{0, 1, 2}, {0, 2, 1}};
-    CHECK(medialOf(twoSided).points == flat.positions);
+    CHECK(poleMedialOf(twoSided).points == flat.positions);
 
     SurfaceMesh point;
     point.positions = {{3, 3, 3}};
     point.triangles = {{0, 0, 0}};
-    CHECK(medialOf(point).points == point.positions);
+    CHECK(poleMedialOf(point).points == point.positions);
 }
 
 TEST_CASE("Voronoi vertices of degenerate sites are errors, never the end of the process") {
@@ -106,7 +106,7 @@ TEST_CASE("the eight corners of a cube have one Voronoi vertex, its centre") {
 }
 
 TEST_CASE("the inner points of a torus lie on its centre circle") {
-    const PoleMedialSurface medial = medialOf(torus(2, 0.5F, 96, 32));
+    const PoleMedialSurface medial = poleMedialOf(torusShape(2, 0.5F, 96, 32));
     for (const glm::vec3& p : medial.points) {
         CHECK(std::abs(std::sqrt(p.x * p.x + p.y * p.y) - 2) <
               0.12F);  // the poles are smoothed, too
@@ -116,7 +116,7 @@ TEST_CASE("the inner points of a torus lie on its centre circle") {
 
 TEST_CASE("the inner points of a plate lie halfway through it") {
     const Shape plate = box({0, 0, 0}, {4, 4, 0.5F}, 24);
-    const PoleMedialSurface medial = medialOf(plate);
+    const PoleMedialSurface medial = poleMedialOf(plate);
     for (size_t v = 0; v < medial.points.size(); ++v) {
         const glm::vec3 p = plate.positions[v];
         const bool away = p.x > 0.8F && p.x < 3.2F && p.y > 0.8F && p.y < 3.2F;
@@ -130,7 +130,7 @@ TEST_CASE("parts keep to themselves, and a point without triangles stays") {
     two.append(icosphere({5, 0, 0}, 1, 3));
     SurfaceMesh mesh = two.mesh();
     mesh.positions.emplace_back(2.5F, 0.0F, 0.0F);
-    const PoleMedialSurface medial = medialOf(mesh);
+    const PoleMedialSurface medial = poleMedialOf(mesh);
     for (size_t v = 0; v < two.positions.size(); ++v) {
         CHECK(glm::distance(medial.points[v], {v < first ? 0 : 5, 0, 0}) < 0.6F);
     }
@@ -144,7 +144,7 @@ TEST_CASE("open and inside-out surfaces work and nothing leaves them") {
                open.positions[t[2]].z == 1;
     });
     uint32_t moved = 0;
-    const PoleMedialSurface medial = medialOf(open);
+    const PoleMedialSurface medial = poleMedialOf(open);
     for (size_t v = 0; v < open.positions.size(); ++v) {
         if (medial.points[v] != open.positions[v]) ++moved;
     }
@@ -152,32 +152,32 @@ TEST_CASE("open and inside-out surfaces work and nothing leaves them") {
 
     Shape turned = box({0, 0, 0}, {1, 1, 1}, 3);
     for (auto& t : turned.triangles) std::swap(t[0], t[1]);
-    CHECK(medialOf(turned).points == turned.positions);
+    CHECK(poleMedialOf(turned).points == turned.positions);
 }
 
 TEST_CASE("overlapping and touching parts are one solid") {
     Shape parts = box({0, 0, 0}, {2, 2, 2}, 4);
     parts.append(box({1, 1, 1}, {3, 3, 3}, 4));
     parts.append(box({2, 0, 0}, {3, 1, 1}, 1));
-    medialOf(parts);
+    poleMedialOf(parts);
 }
 
 TEST_CASE("scaling by powers of two scales the medial surface bit by bit; threads change nothing") {
     Random random(99);
-    Shape shape = torus(2, 0.5F, 40, 16);
+    Shape shape = torusShape(2, 0.5F, 40, 16);
     shape.append(box({0, 0, -0.1F}, {0.5F, 0.5F, 0.1F}));
     shape.transform([&](glm::vec3 p) {
         return p + glm::vec3(7, 0, 0) +
                0.15F * glm::vec3(random.unit(), random.unit(), random.unit());
     });
-    const PoleMedialSurface base = medialOf(shape);
+    const PoleMedialSurface base = poleMedialOf(shape);
     CHECK(base.outside > 0);  // so that the ladder is scaled too
     for (const int exponent : {-20, -1, 1, 30}) {
         Shape scaled = shape;
         scaled.transform([&](glm::vec3 p) { return p * std::ldexp(1.0F, exponent); });
         PoleMedialOptions options;
         options.threads = exponent > 0 ? 1 : 3;
-        const PoleMedialSurface medial = medialOf(scaled.mesh(), options);
+        const PoleMedialSurface medial = poleMedialOf(scaled.mesh(), options);
         bool same = true;
         for (size_t v = 0; v < base.points.size(); ++v) {
             same = same && medial.points[v] == base.points[v] * std::ldexp(1.0F, exponent);
@@ -204,6 +204,6 @@ TEST_CASE("random triangle soups of hostile shape neither crash nor leave the so
                 {random.below(points), random.below(points), random.below(points)});
         }
         INFO("round " << round);
-        medialOf(mesh);
+        poleMedialOf(mesh);
     }
 }

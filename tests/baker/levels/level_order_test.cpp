@@ -34,7 +34,7 @@ FracturePlan levelOf(const std::string& text, const PieceChoice& only = {}) {
     return level;
 }
 
-FracturePlan planOf(const std::vector<std::string>& texts) {
+FracturePlan stackOf(const std::vector<std::string>& texts) {
     std::vector<FracturePlan> levels;
     levels.reserve(texts.size());
     for (const std::string& text : texts) levels.push_back(levelOf(text));
@@ -45,14 +45,6 @@ Recipe solidRecipe() {
     Recipe recipe;
     recipe.interior.type = InteriorType::solid;
     return recipe;
-}
-
-std::vector<double> volumesAt(const FractureSet& set, uint32_t level) {
-    std::vector<double> volumes;
-    for (const uint32_t f : fragmentsAtLevel(set, level))
-        volumes.push_back(set.fragments[f].volume);
-    std::sort(volumes.begin(), volumes.end());
-    return volumes;
 }
 
 void checkVolumes(const FractureSet& set, uint32_t level, std::vector<double> expected) {
@@ -79,7 +71,7 @@ TEST_CASE("a box cut in slices and then along a grid has just the products as pi
     for (const char* grid : {"grid:3x1:on=planar/z", "grid:2x2:on=planar/z"}) {
         CAPTURE(grid);
         const FractureSet set =
-            writtenSet(modelAround(cube), planOf({"cut slices:2x1x1", grid}), solidRecipe());
+            writtenSet(modelAround(cube), stackOf({"cut slices:2x1x1", grid}), solidRecipe());
         REQUIRE(set.levels.size() == 3);
         checkVolumes(set, 1, {0.5, 0.5});
         if (std::string(grid).starts_with("grid:3"))
@@ -97,9 +89,9 @@ TEST_CASE("where every cut is by planes of its own, the order of the levels does
     const std::string points = "cut points:0.2,0.5,0.5;0.75,0.4,0.3;0.5,0.9,0.7";
     const SurfaceMesh cube = chartedCube(1, 2);
     const FractureSet below =
-        writtenSet(modelAround(cube), planOf({points, "grid:3x2:on=planar/z"}), solidRecipe());
+        writtenSet(modelAround(cube), stackOf({points, "grid:3x2:on=planar/z"}), solidRecipe());
     const FractureSet above =
-        writtenSet(modelAround(cube), planOf({"grid:3x2:on=planar/z", points}), solidRecipe());
+        writtenSet(modelAround(cube), stackOf({"grid:3x2:on=planar/z", points}), solidRecipe());
     checkVolumes(below, 2, volumesAt(above, 2));
     CHECK(below.levels[1].fragments.count == 3);
     CHECK(above.levels[1].fragments.count == 6);
@@ -113,7 +105,7 @@ TEST_CASE("lines, a cut and lines again: every level fills the object and its pa
         recipe.interior.type = type;
         const SurfaceMesh mesh = torus(10, 6);
         const FracturePlan plan =
-            planOf({"voronoi:3", "cut voronoi:3:2", "voronoi:9:4", "cut slices:2x1x2"});
+            stackOf({"voronoi:3", "cut voronoi:3:2", "voronoi:9:4", "cut slices:2x1x2"});
         const FractureSet set = writtenSet(modelAround(mesh), plan, recipe);
         REQUIRE(set.levels.size() == 5);
         CHECK(fragmentsAtLevel(set, 1).size() == 3);
@@ -130,7 +122,7 @@ TEST_CASE("lines, a cut and lines again: every level fills the object and its pa
 
 TEST_CASE("a cut above lines with a medial surface is closed, and says that this is inside") {
     const Result<BakedObject> baked =
-        bakeObject(torus(10, 6), planOf({"cut voronoi:4", "voronoi:5"}), {}, 0);
+        bakeObject(torus(10, 6), stackOf({"cut voronoi:4", "voronoi:5"}), {}, 0);
     REQUIRE(baked.has_value());
     for (const BakedLevelReport& level : baked->report.levels)
         CHECK(level.closed == level.fragments);
@@ -140,7 +132,7 @@ TEST_CASE("a cut above lines with a medial surface is closed, and says that this
     REQUIRE(found != findings.end());
     CHECK(found->message.find("solid") != std::string::npos);
     const Result<BakedObject> solid =
-        bakeObject(torus(10, 6), planOf({"cut voronoi:4", "voronoi:5"}), solidRecipe(), 0);
+        bakeObject(torus(10, 6), stackOf({"cut voronoi:4", "voronoi:5"}), solidRecipe(), 0);
     REQUIRE(solid.has_value());
     CHECK(std::none_of(solid->report.findings.begin(), solid->report.findings.end(), isInner));
     CHECK(solid->report.levels[1].volumeShare == doctest::Approx(1).epsilon(1e-5));
@@ -270,7 +262,7 @@ TEST_CASE("lines below a cut that divide nothing are refused with the reason") {
 
 TEST_CASE("levels in any order give the same bytes, whatever the number of threads") {
     const FracturePlan plan =
-        planOf({"cut voronoi:3:3", "voronoi:7", "cut grid:4", "voronoi:30:2"});
+        stackOf({"cut voronoi:3:3", "voronoi:7", "cut grid:4", "voronoi:30:2"});
     std::vector<std::vector<uint8_t>> files;
     for (const unsigned threads : {1U, 2U, 5U}) {
         Recipe recipe = solidRecipe();
@@ -282,7 +274,7 @@ TEST_CASE("levels in any order give the same bytes, whatever the number of threa
 }
 
 TEST_CASE("an object scaled by a power of two has the same levels, scaled") {
-    const FracturePlan plan = planOf({"cut voronoi:4", "grid:3x2:on=planar/z", "cut voronoi:2"});
+    const FracturePlan plan = stackOf({"cut voronoi:4", "grid:3x2:on=planar/z", "cut voronoi:2"});
     const FractureSet one = bakeObject(chartedCube(1, 2), plan, solidRecipe(), 0).value().set;
     for (const float scale : {0x1p-10F, 0x1p10F}) {
         const FractureSet other =
@@ -327,7 +319,7 @@ TEST_CASE("the layers of one drawing are levels of their own, wherever it stands
 TEST_CASE("the checks of these tests find a wall that shows too late, and one that is moved") {
     FractureSet set =
         writtenSet(modelAround(chartedCube(1, 2)),
-                   planOf({"cut slices:1x1x2", "grid:3x1:on=planar/z"}), solidRecipe());
+                   stackOf({"cut slices:1x1x2", "grid:3x1:on=planar/z"}), solidRecipe());
     CHECK(isClosed(set, 1));
     FractureSet late = set;
     for (Primitive& primitive : late.geometry.primitives)

@@ -50,14 +50,6 @@ uint32_t countOf(const BakedObjectReport& report, const std::string& code) {
     return count;
 }
 
-std::vector<double> volumesAt(const FractureSet& set, uint32_t level) {
-    std::vector<double> volumes;
-    for (const uint32_t f : fragmentsAtLevel(set, level))
-        volumes.push_back(set.fragments[f].volume);
-    std::sort(volumes.begin(), volumes.end());
-    return volumes;
-}
-
 }  // namespace
 
 TEST_CASE("the page covers the object as it is seen along the axis, upright") {

@@ -38,7 +38,7 @@ double lengthOf(const OverlayLine::Chains& chains) {
     return length;
 }
 
-double distanceTo(const Points& line, const glm::dvec2& p) {
+double distanceToLine(const Points& line, const glm::dvec2& p) {
     double least = 1e300;
     for (size_t i = 1; i < line.size(); ++i) {
         const glm::dvec2 d = line[i] - line[i - 1];
@@ -131,7 +131,7 @@ TEST_CASE("a line is shown once, where it was drawn and as long") {
             CHECK(line.parting[0].front() == line.parting[0].back());
             CHECK(lengthOf(line.parting) == doctest::Approx(4 * 0.5 * 0.2));
             for (const glm::dvec2& p : line.parting[0])
-                CHECK(distanceTo(ringOn(i == 0 ? 0 : 4), p) < 1e-6);
+                CHECK(distanceToLine(ringOn(i == 0 ? 0 : 4), p) < 1e-6);
         }
         CHECK(overlay.findings.empty());
     }
@@ -202,10 +202,10 @@ TEST_CASE("lines and places of other tiles are shown on the page") {
     const LayoutOverlay overlay = inspected(mesh, planOf({ringOn(0), stub}));
     REQUIRE(overlay.lines.size() == 2);
     for (const glm::dvec2& p : overlay.lines[0].parting.at(0))
-        CHECK(distanceTo(ringOn(0), p) < 1e-5);
+        CHECK(distanceToLine(ringOn(0), p) < 1e-5);
     const BakeFinding* ends = finding(overlay, "dead-ends");
     REQUIRE(ends != nullptr);
-    for (const BakePlace& place : ends->places) CHECK(distanceTo(stub, *place.uv) < 1e-5);
+    for (const BakePlace& place : ends->places) CHECK(distanceToLine(stub, *place.uv) < 1e-5);
 }
 
 TEST_CASE("lines of a projection are shown on the charts they fall on") {
@@ -255,7 +255,7 @@ TEST_CASE("drawings are shown where they are drawn, whatever they are") {
                     for (const glm::dvec2& p : chain) {
                         double least = 1e300;
                         for (const Points& line : lines)
-                            least = std::min(least, distanceTo(line, p));
+                            least = std::min(least, distanceToLine(line, p));
                         worst = std::max(worst, least);
                     }
         CHECK(worst < 1e-6);

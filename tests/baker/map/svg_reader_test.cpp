@@ -9,15 +9,12 @@
 #include "map/planar_map.h"
 #include "sherd/baker/fracture_map.h"
 #include "support/models.h"
+#include "svg_drawing.h"
 
 using namespace sherd;
+using sherd::test::drawing;
 
 namespace {
-
-/// A drawing of 100 by 100 units.
-std::string drawing(const std::string& body) {
-    return R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100">)" + body + "</svg>";
-}
 
 FractureMap readBody(const std::string& body, const MapReadOptions& options = {}) {
     const Result<FractureMap> map = readSvgMap(drawing(body), "t.svg", options);

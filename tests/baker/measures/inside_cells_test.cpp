@@ -39,7 +39,7 @@ TEST_CASE("cells give the inside test's answer for solids of every kind") {
         CAPTURE(seed);
         Random random(seed);
         compare(box({-1, -1, -1}, {1, 2, 1}), random);
-        compare(torus(2, 0.5F, 24, 12), random);
+        compare(torusShape(2, 0.5F, 24, 12), random);
         compare(sphere({0, 0, 0}, {2, 1, 1}, 12), random);
         Shape overlapping = box({-2, -2, -2}, {1, 1, 1}, 3);
         overlapping.append(box({0, 0, 0}, {2, 2, 2}, 2));

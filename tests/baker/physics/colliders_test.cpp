@@ -20,11 +20,11 @@ using namespace sherd::test;
 
 namespace {
 
-PieceMesh meshOf(const test::Shape& shape) {
+PieceMesh pieceOf(const test::Shape& shape) {
     return {shape.positions, shape.triangles};
 }
 
-PieceMesh meshOf(const Solid& solid) {
+PieceMesh pieceOf(const Solid& solid) {
     return {solid.positions, solid.triangles};
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("pieces without a volume get a usable collider") {
     PieceMesh plane{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
     PieceMesh line{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}, {0, 2, 1}}};
     PieceMesh point{std::vector<glm::vec3>(4, glm::vec3(5, 5, 5)), {{0, 1, 2}, {0, 2, 3}}};
-    PieceMesh needle = meshOf(test::box({0, 0, 3}, {1e-6F, 1, 3.000001F}));
+    PieceMesh needle = pieceOf(test::box({0, 0, 3}, {1e-6F, 1, 3.000001F}));
     const FractureSet set = collided({empty, plane, line, point, needle}, settingsWith(8, 0.01));
     for (const Fragment& fragment : set.fragments) {
         REQUIRE(fragment.hulls.count >= 1);
@@ -103,15 +103,15 @@ TEST_CASE("four points, some of them twice, are a collider of one part") {
     const size_t count = shape.positions.size();
     for (size_t i = 0; i < count; ++i) shape.positions.push_back(shape.positions[i]);
     shape.triangles[3] = {6, 4, 7};
-    const FractureSet set = collided({meshOf(shape)}, settingsWith(8));
+    const FractureSet set = collided({pieceOf(shape)}, settingsWith(8));
     CHECK(set.fragments[1].hulls.count == 1);
     CHECK(measured(set).fragments[1].collider->coverage > 0.999);
 }
 
 TEST_CASE("a convex piece keeps one part, a sphere too, and as many corners as it needs") {
-    const FractureSet set =
-        collided({meshOf(test::box({0, 0, 0}, {1, 2, 3})), meshOf(test::sphere(24, {5, 0, 0}, 1))},
-                 settingsWith(8, 0.01));
+    const FractureSet set = collided(
+        {pieceOf(test::box({0, 0, 0}, {1, 2, 3})), pieceOf(test::sphere(24, {5, 0, 0}, 1))},
+        settingsWith(8, 0.01));
     const BakedObjectReport report = measured(set);
     for (const uint32_t f : {1U, 2U}) {
         CHECK(set.fragments[f].hulls.count == 1);
@@ -127,8 +127,8 @@ TEST_CASE("a convex piece keeps one part, a sphere too, and as many corners as i
 // Corners used to be chosen at the object's size, where what a crumb's would add was below what
 // counts: it got a tetrahedron.
 TEST_CASE("a crumb of a large object has a collider as good as that of the rest") {
-    const FractureSet set = collided({meshOf(test::box({0, 0, 0}, {10, 10, 10})),
-                                      meshOf(test::box({10, 0, 0}, {10.004F, 0.002F, 0.002F}))},
+    const FractureSet set = collided({pieceOf(test::box({0, 0, 0}, {10, 10, 10})),
+                                      pieceOf(test::box({10, 0, 0}, {10.004F, 0.002F, 0.002F}))},
                                      settingsWith(8, 0.01));
     CHECK(set.hulls[set.fragments[2].hulls.first].points.count == 8);
     CHECK(measured(set).fragments[2].collider->coverage > 0.95);
@@ -162,7 +162,7 @@ TEST_CASE("an L is two parts, a U three, and they hold all of it and no air") {
 }
 
 TEST_CASE("a ring is cut into parts that leave its hole open") {
-    const FractureSet set = collided({meshOf(torusSolid(3, 1, 32, 16))}, settingsWith(8));
+    const FractureSet set = collided({pieceOf(torusSolid(3, 1, 32, 16))}, settingsWith(8));
     CHECK(set.fragments[1].hulls.count >= 4);
     CHECK(set.fragments[1].hulls.count <= 8);
     CHECK(measured(set).fragments[1].collider->coverage > 0.9);
@@ -203,10 +203,10 @@ TEST_CASE("neighbouring cubes touch and are not clipped") {
 TEST_CASE("a ball in a shell that surrounds it keeps its collider") {
     Solid shell = sphereSolid({0, 0, 0}, {1, 1, 1}, 24, 12);
     Solid hollow = sphereSolid({0, 0, 0}, {0.7F, 0.7F, 0.7F}, 24, 12);
-    const PieceMesh ball = meshOf(hollow);
+    const PieceMesh ball = pieceOf(hollow);
     hollow.turnInsideOut();
     shell.append(hollow);
-    const FractureSet set = collided({meshOf(shell), ball}, settingsWith(8));
+    const FractureSet set = collided({pieceOf(shell), ball}, settingsWith(8));
     const BakedObjectReport report = measured(set);
     CHECK(report.levels[1].colliders->overlap < 1e-5 * report.diagonal);
     CHECK(report.fragments[2].collider->coverage > 0.6);
@@ -238,7 +238,7 @@ TEST_CASE("random pieces side by side never overlap, and the report holds what i
 }
 
 TEST_CASE("the same pieces at any power of two get the same colliders, whatever the threads") {
-    std::vector<PieceMesh> pieces = {kLower, kUpper, meshOf(torusSolid(3, 1, 16, 8))};
+    std::vector<PieceMesh> pieces = {kLower, kUpper, pieceOf(torusSolid(3, 1, 16, 8))};
     for (glm::vec3& p : pieces[2].positions) p += glm::vec3(1, 2, 1.75F);
     const auto settings = [](double scale) { return settingsWith(8, 0.25 * scale); };
     const FractureSet one = collided(pieces, settings(1));

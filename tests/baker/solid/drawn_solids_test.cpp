@@ -151,7 +151,7 @@ TEST_CASE("a ring breaks into full pieces along a grid that is drawn over it") {
         map.lines.push_back({{{x, 0}, {x, 1}}, 1, "upright"});
         map.lines.push_back({{{0, x}, {1, x}}, 1, "level"});
     }
-    SolidJudge{meshOf(torus(1, 0.35F, 40, 16)), drawn(map, "box")}.check();
+    SolidJudge{meshOf(torusShape(1, 0.35F, 40, 16)), drawn(map, "box")}.check();
 }
 
 TEST_CASE("a lid that nothing but one circle parts from its body lifts off as a full piece") {

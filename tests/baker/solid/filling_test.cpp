@@ -139,7 +139,7 @@ TEST_CASE("tetrahedra fill solids of every shape exactly, and none is turned ove
     for (auto& t : inner.triangles) std::swap(t[0], t[1]);
     hollow.append(inner);
     for (const Shape& shape : {box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {2, 1, 0.02F}, 3), hollow,
-                               torus(1, 0.3F, 24, 10), sphere({0, 0, 0}, {1, 1, 1}, 8)}) {
+                               torusShape(1, 0.3F, 24, 10), sphere({0, 0, 0}, {1, 1, 1}, 8)}) {
         const auto complex = fillWithTetras(surfaceOf(shape), latticeIn(shape, 5));
         REQUIRE(complex.has_value());
         CHECK(whatIsWrong(*complex, shape) == "");
@@ -191,7 +191,7 @@ TEST_CASE("pieces that meet in a chequered edge are told apart there") {
 TEST_CASE(
     "everything inside goes to a piece it hangs together with, and drawing walls tight "
     "keeps the solid filled") {
-    const Shape shape = torus(1, 0.35F, 32, 12);
+    const Shape shape = torusShape(1, 0.35F, 32, 12);
     const SplitSurface surface = surfaceOf(shape);
     auto complex = fillWithTetras(surface, latticeIn(shape, 7));
     REQUIRE(complex.has_value());

@@ -30,7 +30,7 @@ TEST_CASE("a hollow box, whose two skins do not touch, breaks into full pieces")
 }
 
 TEST_CASE("a ring, whose cells meet in many places inside, breaks into full pieces") {
-    SolidJudge{meshOf(torus(1, 0.35F, 40, 16)), pattern("voronoi:40:1")}.check(40);
+    SolidJudge{meshOf(torusShape(1, 0.35F, 40, 16)), pattern("voronoi:40:1")}.check(40);
 }
 
 TEST_CASE("cells of a deeper level meet those of a shallower one inside") {

@@ -20,6 +20,10 @@ struct CutSolid {
     CutPieces pieces;
 };
 
+inline CutGrid gridOf(const Solid& solid) {
+    return CutGrid::around(solid.positions, solid.triangles).value();
+}
+
 /// Cuts a solid; `wrong` says why it could not.
 bool cutSolid(const Solid& whole, std::vector<CellFamily> families, CutSolid& result,
               std::string& wrong);

@@ -15,10 +15,6 @@ using namespace sherd::test;
 
 namespace {
 
-CutGrid gridOf(const Solid& solid) {
-    return CutGrid::around(solid.positions, solid.triangles).value();
-}
-
 /// Cut by planes that make slabs, and checked.
 CutSolid slabsOf(const Solid& solid, const std::vector<CutPlane>& planes) {
     CutSolid cut;

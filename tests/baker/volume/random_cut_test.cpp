@@ -17,10 +17,6 @@ using namespace sherd::test;
 
 namespace {
 
-CutGrid gridOf(const Solid& solid) {
-    return CutGrid::around(solid.positions, solid.triangles).value();
-}
-
 /// In and around the solid; aligned: on its own grid of quarters, more or less.
 glm::dvec3 randomSite(Random& random, const Bounds& box, bool aligned) {
     const double reach = 0.7 * std::max({box.size().x, box.size().y, box.size().z});
