@@ -12,6 +12,7 @@ static void check_assets(sherd_asset none) {
     float margin = 0;
     sherd_asset_release(none);
     CHECK(sherd_asset_get_info(none, &info) == SHERD_GONE);
+    CHECK(sherd_asset_scale(none, 2, &none, NULL) == SHERD_GONE);
     CHECK(sherd_asset_fragment(none, 0, &fragment) == SHERD_GONE);
     CHECK(sherd_asset_hull(none, 0, 0, &points, &count, &margin) == SHERD_GONE);
     CHECK(sherd_asset_attribute(none, 0, &attribute) == SHERD_GONE);

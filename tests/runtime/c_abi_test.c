@@ -370,6 +370,51 @@ static void check_saving(sherd_asset asset) {
     free(other);
 }
 
+/* Twice as large: what it is made of is, its vertices are not, and their poses say so. */
+static void check_sizes(sherd_asset asset) {
+    sherd_asset twice = {0}, none = {7};
+    sherd_error error;
+    CHECK(sherd_asset_scale(asset, 2, &twice, &error) == SHERD_OK && twice.id != asset.id);
+    CHECK(sherd_asset_scale(asset, -1, &none, &error) == SHERD_BAD_ARGUMENT);
+    CHECK(strcmp(error.where, "factor") == 0 && none.id == 7);
+    CHECK(sherd_asset_scale(asset, NAN, &none, NULL) == SHERD_BAD_ARGUMENT);
+    CHECK(sherd_asset_scale(asset, 2, NULL, NULL) == SHERD_BAD_ARGUMENT);
+    sherd_asset_info info, large;
+    CHECK(sherd_asset_get_info(asset, &info) == SHERD_OK && info.scale == 1);
+    CHECK(sherd_asset_get_info(twice, &large) == SHERD_OK && large.scale == 2);
+    CHECK(large.vertex_count == info.vertex_count && large.index_count == info.index_count);
+    CHECK(large.attribute_count == info.attribute_count);
+    CHECK(fabsf(large.diagonal - 2 * info.diagonal) < 1e-5F * info.diagonal);
+    sherd_fragment piece, heavy;
+    CHECK(sherd_asset_fragment(asset, 0, &piece) == SHERD_OK);
+    CHECK(sherd_asset_fragment(twice, 0, &heavy) == SHERD_OK);
+    CHECK(fabsf(heavy.mass - 8 * piece.mass) < 1e-4F * piece.mass);
+
+    struct table* table = calloc(1, sizeof(struct table));
+    const sherd_world world = make_world(table);
+    const sherd_object small = spawn_at(world, asset, 0), big = spawn_at(world, twice, 9);
+    sherd_asset_release(twice); /* the world keeps it */
+    CHECK(sherd_break_all(world, big) == SHERD_OK);
+    uint32_t count = 0;
+    const sherd_fragment_pose* pose = sherd_poses(world, &count);
+    CHECK(count > 2);
+    for (uint32_t p = 0; p < count; ++p) {
+        const int is_big = pose[p].object.id == big.id;
+        CHECK(pose[p].scale == (is_big ? 2 : 1));
+        CHECK(pose[p].asset.id == (is_big ? twice.id : asset.id));
+    }
+    const sherd_break_event* event = sherd_events(world, &count);
+    CHECK(count == 1 && event->asset.id == twice.id);
+    /* Of an object that is gone it tells some size. */
+    CHECK(sherd_break_all(world, small) == SHERD_OK);
+    CHECK(sherd_remove(world, small) == SHERD_OK);
+    event = sherd_events(world, &count);
+    CHECK(count == 1 && (event->asset.id == twice.id || event->asset.id == asset.id));
+    CHECK(sherd_world_destroy(world) == SHERD_OK);
+    CHECK(table->count == 0);
+    free(table);
+}
+
 static sherd_world calling;
 static sherd_object called;
 static int refused = 0;
@@ -465,6 +510,7 @@ int main(int argc, char** argv) {
     check_anchors(asset);
     check_stress(asset);
     check_saving(asset);
+    check_sizes(asset);
     check_options(asset);
     check_calls_from_the_table(asset);
     check_garbage(asset);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The part of sherd.h about assets. No exception passes: out of memory is a status.
+#include <cmath>
+#include <utility>
+
 #include "c_abi/convert.h"
 #include "sherd/runtime/asset.h"
 
@@ -58,6 +61,22 @@ sherd_status sherd_load(const void* bytes, size_t size, sherd_asset* out, uint32
     });
 }
 
+sherd_status sherd_asset_scale(sherd_asset asset, float factor, sherd_asset* out,
+                               sherd_error* error) {
+    if (!out) return say(error, SHERD_BAD_ARGUMENT, "a pointer is null", "out");
+    if (!(factor > 0) || !std::isfinite(factor))
+        return say(error, SHERD_BAD_ARGUMENT, "the factor must be positive and finite", "factor");
+    const auto found = assets().find(asset.id);
+    if (!found) return say(error, SHERD_GONE, "there is no such asset", "asset");
+    return guarded([&] {
+        auto scaled = Asset::scaled(found, factor);
+        if (!scaled)
+            return say(error, SHERD_BAD_ARGUMENT, scaled.error().message, scaled.error().where);
+        *out = {assets().add(std::move(*scaled))};
+        return SHERD_OK;
+    });
+}
+
 void sherd_asset_release(sherd_asset asset) {
     assets().release(asset.id);
 }
@@ -74,10 +93,12 @@ sherd_status sherd_asset_get_info(sherd_asset asset, sherd_asset_info* out) {
     out->level_count = uint32_t(set.levels.size());
     out->bond_count = uint32_t(found->graph().bonds().size());
     out->material_count = uint32_t(set.materials.size());
-    out->vertex_count = uint32_t(set.geometry.positions.size());
-    out->index_count = uint32_t(set.geometry.indices.size());
-    out->attribute_count = uint32_t(set.geometry.attributes.size()) + 1;
+    const FractureGeometry& geometry = found->geometry();
+    out->vertex_count = uint32_t(geometry.positions.size());
+    out->index_count = uint32_t(geometry.indices.size());
+    out->attribute_count = uint32_t(geometry.attributes.size()) + 1;
     out->diagonal = found->diagonal();
+    out->scale = found->scale();
     out->rest_pose = pose(set.restPose);
     return SHERD_OK;
 }

@@ -14,6 +14,12 @@ TableWorld::~TableWorld() {
 
 void TableWorld::keep(const Asset* asset, sherd_asset handle) {
     if (handles_.try_emplace(asset, handle).second) assets().hold(handle.id);
+    originals_.try_emplace(&asset->original(), handle);
+}
+
+sherd_asset TableWorld::handleOf(ObjectId object, const Asset* original) const {
+    if (islands.isAlive(object)) return handleOf(islands.object(object.index).asset.get());
+    return originals_.at(original);
 }
 
 void TableWorld::create(const IslandBody& body) {

@@ -25,6 +25,8 @@ class TableWorld final : public BodyTable {
     /// Before an asset is used: it and its number live as long as this.
     void keep(const Asset* asset, sherd_asset handle);
     [[nodiscard]] sherd_asset handleOf(const Asset* asset) const { return handles_.at(asset); }
+    /// What an object was spawned of, in its size; of one that is gone by now, in some size.
+    [[nodiscard]] sherd_asset handleOf(ObjectId object, const Asset* original) const;
 
     [[nodiscard]] bool isAlive(uint32_t island) const {
         return island < islands.islands().size() && islands.island(island).isAlive;
@@ -47,7 +49,8 @@ class TableWorld final : public BodyTable {
 
     sherd_body_table table_;
     std::map<const Asset*, sherd_asset> handles_;
-    mutable std::vector<BodyMotion> known_;  ///< per island: its last sound motion
+    std::map<const Asset*, sherd_asset> originals_;  ///< to the first of them in any size
+    mutable std::vector<BodyMotion> known_;          ///< per island: its last sound motion
 };
 
 DamageOptions toOptions(const sherd_damage_options& options);

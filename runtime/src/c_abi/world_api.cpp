@@ -324,8 +324,8 @@ const sherd_fragment_pose* sherd_poses(sherd_world handle, uint32_t* count) {
     const sherd_status listed = guarded([&] {
         world->poses.clear();
         for (const FragmentPose& p : world->islands.poses())
-            world->poses.push_back({fromObject(p.object), world->handleOf(p.asset), p.fragment,
-                                    pose(p.pose), pose(p.previous)});
+            world->poses.push_back({fromObject(p.object), world->handleOf(p.object, p.asset),
+                                    p.fragment, pose(p.pose), pose(p.previous), p.scale});
         return SHERD_OK;
     });
     if (listed != SHERD_OK) return nullptr;
@@ -340,7 +340,7 @@ const sherd_break_event* sherd_events(sherd_world handle, uint32_t* count) {
     const sherd_status listed = guarded([&] {
         world->events.clear();
         for (const BreakEvent& e : world->islands.takeEvents())
-            world->events.push_back(fromEvent(e, world->handleOf(e.asset)));
+            world->events.push_back(fromEvent(e, world->handleOf(e.object, e.asset)));
         return SHERD_OK;
     });
     if (listed != SHERD_OK) return nullptr;

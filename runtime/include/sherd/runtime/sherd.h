@@ -31,7 +31,7 @@ extern "C" {
 
 /* Grows when anything here changes. `sherd_abi_version` tells what the library was built with, and
  * `sherd_version` of which release it is, such as "0.1.0". */
-#define SHERD_ABI_VERSION 3
+#define SHERD_ABI_VERSION 4
 SHERD_API uint32_t sherd_abi_version(void);
 SHERD_API const char* sherd_version(void);
 
@@ -75,12 +75,18 @@ SHERD_API sherd_status sherd_load(const void* bytes, size_t size, sherd_asset* a
 /* Worlds that use the asset keep it, and its handle, for as long as they live. */
 SHERD_API void sherd_asset_release(sherd_asset asset);
 
+/* The same object `factor` times as large and of the same substance, an asset of its own:
+ * colliders, masses and what breaking takes are in its size, vertices are the original's. */
+SHERD_API sherd_status sherd_asset_scale(sherd_asset asset, float factor, sherd_asset* out,
+                                         sherd_error* error);
+
 typedef struct sherd_asset_info {
     const char* name;
     uint64_t bake_hash; /* tells bakes apart */
     uint32_t fragment_count, level_count, bond_count, material_count;
     uint32_t vertex_count, index_count, attribute_count;
     float diagonal;       /* of the object's bounding box */
+    float scale;          /* metres per metre of its vertices */
     sherd_pose rest_pose; /* where the object stands in its own scene */
 } sherd_asset_info;
 SHERD_API sherd_status sherd_asset_get_info(sherd_asset asset, sherd_asset_info* out);
@@ -304,8 +310,9 @@ typedef struct sherd_fragment_pose {
     sherd_object object;
     sherd_asset asset;
     uint32_t fragment;
-    sherd_pose pose;     /* of the object frame: the asset's vertices */
+    sherd_pose pose;     /* of the object frame: the asset's vertices, scaled */
     sherd_pose previous; /* a step ago */
+    float scale;         /* of the asset */
 } sherd_fragment_pose;
 /* Valid until the next call that changes anything. Null when the world is gone or has none. */
 SHERD_API const sherd_fragment_pose* sherd_poses(sherd_world world, uint32_t* count);
