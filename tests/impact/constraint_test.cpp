@@ -128,6 +128,29 @@ TEST_CASE(
              c->setParam(BT_CONSTRAINT_STOP_ERP, 0.5F, 0);
              return c;
          }},
+        {"slider that does not slide",
+         [](btRigidBody& body, const btVector3& pivot) {
+             auto c = std::make_unique<btSliderConstraint>(body, shifted(pivot), true);
+             c->setLowerLinLimit(0);
+             c->setUpperLinLimit(0);
+             c->setLowerAngLimit(-1);
+             c->setUpperAngLimit(1);
+             c->setDampingOrthoAng(0.75F);
+             c->setTargetAngMotorVelocity(0.5F);
+             c->setParam(BT_CONSTRAINT_STOP_CFM, 1e-6F, 3);
+             return c;
+         }},
+        {"cone twist",
+         [](btRigidBody& body, const btVector3& pivot) {
+             // Alone, Bullet would hang it from the middle of the world.
+             auto c = std::make_unique<btConeTwistConstraint>(
+                 body, btTypedConstraint::getFixedBody(), shifted(pivot),
+                 shifted(body.getWorldTransform() * pivot));
+             c->setLimit(1.5F, 1.25F, 0.5F, 0.875F, 0.25F, 0.75F);
+             c->setMaxMotorImpulseNormalized(0.125F);
+             c->setParam(BT_CONSTRAINT_CFM, 1e-6F, 0);
+             return c;
+         }},
         {"fixed",
          [](btRigidBody& body, const btVector3& pivot) {
              return std::make_unique<btFixedConstraint>(body, btTypedConstraint::getFixedBody(),
@@ -156,6 +179,25 @@ TEST_CASE(
                     CHECK(static_cast<btHingeConstraint&>(c).getLowerLimit() == -2);
                     CHECK(static_cast<btHingeConstraint&>(c).getUpperLimit() == 2);
                 }
+                if (c.getConstraintType() == SLIDER_CONSTRAINT_TYPE) {
+                    auto& slider = static_cast<btSliderConstraint&>(c);
+                    CHECK(slider.getLowerAngLimit() == -1);
+                    CHECK(slider.getUpperLinLimit() == 0);
+                    CHECK(slider.getDampingOrthoAng() == 0.75F);
+                    CHECK(slider.getTargetAngMotorVelocity() == 0.5F);
+                    CHECK(slider.getFlags() == BT_SLIDER_FLAGS_CFM_LIMANG);
+                    CHECK(slider.getParam(BT_CONSTRAINT_STOP_CFM, 3) == 1e-6F);
+                }
+                if (c.getConstraintType() == CONETWIST_CONSTRAINT_TYPE) {
+                    auto& cone = static_cast<btConeTwistConstraint&>(c);
+                    CHECK(cone.getSwingSpan1() == 1.5F);
+                    CHECK(cone.getSwingSpan2() == 1.25F);
+                    CHECK(cone.getTwistSpan() == 0.5F);
+                    CHECK(cone.getRelaxationFactor() == 0.75F);
+                    CHECK(cone.isMaxMotorImpulseNormalized());
+                    CHECK(cone.getMaxMotorImpulse() == 0.125F);
+                    CHECK(cone.getFlags() == BT_CONETWIST_FLAGS_LIN_CFM);
+                }
                 if (c.getConstraintType() == POINT2POINT_CONSTRAINT_TYPE)
                     CHECK(static_cast<btPoint2PointConstraint&>(c).m_setting.m_impulseClamp ==
                           1e6F);
@@ -178,13 +220,14 @@ TEST_CASE("a constraint of a kind that cannot move is taken out and reported, un
         const ObjectId object = destruction.spawn(beam(), at(0, 0, 0)).value();
         btRigidBody& body = *destruction.body(object);
         const btVector3 pivot = body.getWorldTransform().inverse() * btVector3(side, 0, 0);
-        btSliderConstraint slider(body, shifted(pivot), true);
-        bullet.world.addConstraint(&slider);
+        // One whose springs nobody can read.
+        btGeneric6DofSpringConstraint spring(body, shifted(pivot), true);
+        bullet.world.addConstraint(&spring);
         REQUIRE(destruction.breakAll(object));
         CHECK(listener.lost == (side < 0 ? 1 : 0));
         CHECK(bullet.world.getNumConstraints() == (side < 0 ? 0 : 1));
         for (int i = 0; i < 30; ++i) bullet.step();
-        if (side > 0) bullet.world.removeConstraint(&slider);
+        if (side > 0) bullet.world.removeConstraint(&spring);
     }
 }
 
