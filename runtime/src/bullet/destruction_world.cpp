@@ -13,8 +13,8 @@
 namespace sherd {
 namespace {
 
-/// Large lists are kept, too.
-constexpr std::pmr::pool_options kPools{0, size_t{1} << 22};
+/// Large lists are kept, too; few at once, or most of what is kept would never be used.
+constexpr std::pmr::pool_options kPools{4, size_t{1} << 22};
 
 }  // namespace
 
