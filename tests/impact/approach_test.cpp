@@ -18,10 +18,22 @@ btCollisionDispatcher& dispatcherOf(BulletWorld& bullet) {
     return static_cast<btCollisionDispatcher&>(*bullet.world.getDispatcher());
 }
 
-/// A game's own, which does what Bullet's does.
+/// A game's own, which asks nobody.
 void ownNearCallback(btBroadphasePair& pair, btCollisionDispatcher& dispatcher,
                      const btDispatcherInfo& info) {
-    btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+    auto* a = static_cast<btCollisionObject*>(pair.m_pProxy0->m_clientObject);
+    auto* b = static_cast<btCollisionObject*>(pair.m_pProxy1->m_clientObject);
+    if (!a->isActive() && !b->isActive()) return;
+    const btCollisionObjectWrapper wholeA(nullptr, a->getCollisionShape(), a,
+                                          a->getWorldTransform(), -1, -1);
+    const btCollisionObjectWrapper wholeB(nullptr, b->getCollisionShape(), b,
+                                          b->getWorldTransform(), -1, -1);
+    if (!pair.m_algorithm)
+        pair.m_algorithm =
+            dispatcher.findAlgorithm(&wholeA, &wholeB, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+    if (!pair.m_algorithm) return;
+    btManifoldResult result(&wholeA, &wholeB);
+    pair.m_algorithm->processCollision(&wholeA, &wholeB, info, &result);
 }
 
 enum class Reading { pairByPair, all, twice };
@@ -112,6 +124,74 @@ TEST_CASE("a body breaks after the game has let it collide again with another") 
         isBroken = !destruction.events().empty();
     }
     CHECK(isBroken);
+}
+
+TEST_CASE("a body breaks in its first substep, though the game has just let it collide again") {
+    BulletWorld bullet;
+    DestructionWorld destruction(bullet.world);
+    btRigidBody& ball = bullet.addBall(0.2F, 50, btVector3(-0.75F, 0, 0), btVector3(10, 0, 0));
+    const ObjectId box = destruction.spawn(makeBox(), at(0, 0, 0)).value();
+    destruction.body(box)->setIgnoreCollisionCheck(&ball, true);
+    destruction.body(box)->setIgnoreCollisionCheck(&ball, false);
+    for (int i = 0; i < 2; ++i) bullet.step();
+    CHECK(destruction.events().size() == 1);
+}
+
+TEST_CASE("objects break under a dispatcher of the game's that asks nobody") {
+    struct Layers : btCollisionDispatcher {
+        using btCollisionDispatcher::btCollisionDispatcher;
+        bool needsCollision(const btCollisionObject* /*a*/,
+                            const btCollisionObject* /*b*/) override {
+            return true;
+        }
+    };
+    btDefaultCollisionConfiguration configuration;
+    Layers dispatcher(&configuration);
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+    world.setGravity(btVector3(0, 0, 0));
+    btSphereShape sphere(0.2F);
+    btRigidBody ball(50, nullptr, &sphere, btVector3(1, 1, 1));
+    ball.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(-2, 0, 0)));
+    ball.setLinearVelocity(btVector3(10, 0, 0));
+    world.addRigidBody(&ball);
+    {
+        DestructionWorld destruction(world);
+        (void)destruction.spawn(makeBox(), at(0, 0, 0)).value();
+        for (int i = 0; i < 60; ++i) world.stepSimulation(kStep, 0);
+        CHECK(destruction.events().size() == 1);
+    }
+    world.removeRigidBody(&ball);
+}
+
+TEST_CASE("a light body made kinematic, that only turns, breaks a heavy object") {
+    BulletWorld bullet;
+    DestructionWorld destruction(bullet.world);
+    (void)destruction.spawn(makeBox({.toughness = 20}), at(0, 0, 0)).value();
+    btRigidBody& arm = bullet.add(std::make_unique<btBoxShape>(btVector3(0.05F, 1, 0.05F)), 0.1F,
+                                  btVector3(-1.2F, 0, 0), btVector3(0, 0, 0));
+    arm.setCollisionFlags(arm.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    arm.setActivationState(DISABLE_DEACTIVATION);
+    bool isBroken = false;
+    for (int i = 0; i < 60 && !isBroken; ++i) {
+        arm.setWorldTransform(btTransform(btQuaternion(btVector3(0, 0, 1), -0.1F * float(i)),
+                                          btVector3(-1.2F, 0, 0)));
+        bullet.world.stepSimulation(kStep, 1, kStep);
+        isBroken = !destruction.events().empty();
+    }
+    CHECK(isBroken);
+}
+
+TEST_CASE("a ball that the game has stopped after it looked for collisions itself breaks nothing") {
+    BulletWorld bullet;
+    DestructionWorld destruction(bullet.world);
+    (void)destruction.spawn(makeBox({.toughness = 0.01F}), at(0, 0, 0)).value();
+    btRigidBody& ball = bullet.addBall(0.2F, 50, btVector3(-0.71F, 0, 0), btVector3(10, 0, 0));
+    bullet.world.performDiscreteCollisionDetection();
+    ball.setLinearVelocity(btVector3(0.001F, 0, 0));
+    for (int i = 0; i < 60; ++i) bullet.step();
+    CHECK(destruction.events().empty());
 }
 
 TEST_CASE("a hitter that another action takes away in the substep of its hit is not looked at") {

@@ -151,6 +151,12 @@ TEST_CASE(
              c->setParam(BT_CONSTRAINT_CFM, 1e-6F, 0);
              return c;
          }},
+        {"cone twist without a motor",
+         [](btRigidBody& body, const btVector3& pivot) {
+             return std::make_unique<btConeTwistConstraint>(
+                 body, btTypedConstraint::getFixedBody(), shifted(pivot),
+                 shifted(body.getWorldTransform() * pivot));
+         }},
         {"fixed",
          [](btRigidBody& body, const btVector3& pivot) {
              return std::make_unique<btFixedConstraint>(body, btTypedConstraint::getFixedBody(),
@@ -188,7 +194,7 @@ TEST_CASE(
                     CHECK(slider.getFlags() == BT_SLIDER_FLAGS_CFM_LIMANG);
                     CHECK(slider.getParam(BT_CONSTRAINT_STOP_CFM, 3) == 1e-6F);
                 }
-                if (c.getConstraintType() == CONETWIST_CONSTRAINT_TYPE) {
+                if (std::string(kind.name) == "cone twist") {
                     auto& cone = static_cast<btConeTwistConstraint&>(c);
                     CHECK(cone.getSwingSpan1() == 1.5F);
                     CHECK(cone.getSwingSpan2() == 1.25F);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 namespace sherd {
@@ -15,10 +16,11 @@ constexpr size_t kMost = 16384;
 /// Rounding of what was seen beside what is measured later.
 constexpr double kCareful = 2;
 
-/// At most what turning can bring into a contact, J.
+/// At most what turning can bring into a contact, J. What contacts do not slow brings anything.
 double spinEnergy(const btRigidBody& body) {
     const btScalar square = body.getAngularVelocity().length2();
     if (!(square > 0)) return 0;
+    if (!movable(&body)) return HUGE_VAL;
     const btVector3& inverse = body.getInvInertiaDiagLocal();
     return 0.5 * double(square) / double(inverse[inverse.minAxis()]);
 }
@@ -43,22 +45,27 @@ double mostEnergy(const btRigidBody& own, const btCollisionObject& other) {
 
 }  // namespace
 
-void ApproachWatch::note(const btRigidBody& own, const btCollisionObject& other,
-                         float leastEnergy) {
-    if (kCareful * mostEnergy(own, other) < double(leastEnergy)) return;
+void ApproachWatch::note(const OwnBody& own, const btCollisionObject& other,
+                         float leastEnergy) noexcept {
+    if (!own.hasContactResponse() || !other.hasContactResponse()) return;
+    // A pair may be asked about again before the step, by a game that looks for collisions itself:
+    // then what was noted of it is old, also when it is slow by now.
+    const bool matters = kCareful * mostEnergy(own, other) >= double(leastEnergy);
+    if (!matters && own.notedIn() != round_) return;
+    // Not all contacts of what moves continuously, or of a ghost, are kept with the pair.
     const btRigidBody* body = btRigidBody::upcast(&other);
-    // Contacts of what moves continuously are not all kept with the pair.
-    const bool isSwept =
-        own.getCcdSquareMotionThreshold() > 0 || (body && body->getCcdSquareMotionThreshold() > 0);
-    while (isAdding_.test_and_set(std::memory_order_acquire)) {
-    }
-    if (isSwept || approaches_.size() >= kMost) {
+    const bool isReadWhole = own.getCcdSquareMotionThreshold() > 0 ||
+                             (body && body->getCcdSquareMotionThreshold() > 0) ||
+                             (other.getInternalType() & btCollisionObject::CO_GHOST_OBJECT) != 0;
+    const std::scoped_lock guard(lock_);
+    if ((matters && isReadWhole) || approaches_.size() >= kMost) {
         sawAll_ = false;
-    } else {
-        approaches_.push_back({&own, &other, own.getWorldArrayIndex(), other.getWorldArrayIndex(),
-                               uint32_t(approaches_.size()), motionNow(own), motionNow(other)});
+        return;
     }
-    isAdding_.clear(std::memory_order_release);
+    own.notedIn() = round_;
+    approaches_.push_back({&own, &other, own.getWorldArrayIndex(), other.getWorldArrayIndex(),
+                           uint32_t(approaches_.size()), matters, motionNow(own),
+                           motionNow(other)});
 }
 
 std::span<const Approach> ApproachWatch::approaches() {
@@ -70,7 +77,8 @@ std::span<const Approach> ApproachWatch::approaches() {
     });
     size_t count = 0;
     for (size_t i = 0; i < approaches_.size(); ++i)
-        if (i + 1 == approaches_.size() || bodies(approaches_[i]) != bodies(approaches_[i + 1]))
+        if ((i + 1 == approaches_.size() || bodies(approaches_[i]) != bodies(approaches_[i + 1])) &&
+            approaches_[i].matters)
             approaches_[count++] = approaches_[i];
     approaches_.resize(count);
     return approaches_;
@@ -79,6 +87,7 @@ std::span<const Approach> ApproachWatch::approaches() {
 void ApproachWatch::clear() {
     approaches_.clear();
     sawAll_ = true;
+    ++round_;
 }
 
 }  // namespace sherd

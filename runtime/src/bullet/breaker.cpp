@@ -56,11 +56,11 @@ struct Breaker::Strike {
 };
 
 void Breaker::measure(float dt, bool inStep) {
-    ApproachWatch& watch = bodies_.approaches();
-    if (!watch.sawAll() || !contacts_.gather(world_, dt, inStep, watch.approaches())) {
+    approaches_ = bodies_.approaches().approaches();
+    if (!bodies_.approaches().sawAll() || !contacts_.gather(world_, dt, inStep, approaches_)) {
         bodies_.markBreakable(breakable_);
         contacts_.gather(world_, dt, inStep, std::min(islands_.leastEnergy(), leastImpact_),
-                         breakable_);
+                         breakable_, approaches_);
     }
     findMeetings();
 }
@@ -117,7 +117,7 @@ void Breaker::seeRest() {
         const SolvedPair& pair = contacts_.pairs()[meeting.pair];
         meeting.bodies = {contacts_.body(pair.a), contacts_.body(pair.b)};
     }
-    contacts_.gatherRest(world_);
+    contacts_.gatherRest(world_, approaches_);
     for (Meeting& meeting : meetings_)
         meeting.pair = contacts_.find(*meeting.bodies[0], *meeting.bodies[1]);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "bullet/bullet_bodies.h"
 #include "bullet/solved_contacts.h"
@@ -46,6 +47,7 @@ class Breaker {
     IslandWorld& islands_;
     float leastImpact_;
     SolvedContacts contacts_;
+    std::span<const Approach> approaches_;  ///< of this substep
     Vector<Meeting> meetings_;
     Vector<uint8_t> breakable_;  ///< by place in Bullet's world
 };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bullet/bullet_bodies.h"
 
-#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcherMt.h>
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <typeinfo>
 #include <utility>
 
 #include "bullet/convert.h"
@@ -246,12 +248,19 @@ BodyMotion BulletBodies::motion(uint32_t island) const {
     return motion;
 }
 
+/// Whether Bullet asks bodies about pairs: a game's own dispatcher or near callback may not.
+bool BulletBodies::asksBodies() const {
+    const btDispatcher& dispatcher = *world_.getDispatcher();
+    if (typeid(dispatcher) != typeid(btCollisionDispatcher) &&
+        typeid(dispatcher) != typeid(btCollisionDispatcherMt))
+        return false;
+    return static_cast<const btCollisionDispatcher&>(dispatcher).getNearCallback() ==
+           btCollisionDispatcher::defaultNearCallback;
+}
+
 bool BulletBodies::readPoses(IslandWorld& islands) {
     const bool withUnbreakable = leastImpact_ < HUGE_VALF;
-    // A game's own near callback may not ask.
-    const auto* dispatcher = dynamic_cast<btCollisionDispatcher*>(world_.getDispatcher());
-    if (!dispatcher || dispatcher->getNearCallback() != btCollisionDispatcher::defaultNearCallback)
-        approaches_.miss();
+    if (!asksBodies()) approaches_.miss();
     bool isTouchable = false;
     awakeDebris_ = 0;
     for (uint32_t i = 0; i < bodies_.size(); ++i) {
@@ -259,12 +268,13 @@ bool BulletBodies::readPoses(IslandWorld& islands) {
         if (!slot.body) continue;
         // As Bullet's own motion states, what sleeps is not asked where it is.
         const bool isActive = slot.body->isActive();
+        const bool wasAsked = slot.own && slot.own->keepWatch();
         if (!slot.isKnown) {
             slot.isKnown = true;
             slot.isBreakable = withUnbreakable || islands.isBreakable(i);
             if (slot.own) slot.own->watch(OwnBody::Watch::breakable, slot.isBreakable);
         }
-        if (slot.isBreakable && !(slot.own && slot.own->keepWatch())) approaches_.miss();
+        if (slot.isBreakable && !wasAsked) approaches_.miss();
         isTouchable =
             isTouchable || (slot.isBreakable && (isActive || slot.body->isStaticObject()));
         if (isActive && !slot.isFixed && slot.firstFragment != 0) ++awakeDebris_;
@@ -282,8 +292,11 @@ bool BulletBodies::readPoses(IslandWorld& islands) {
     return isTouchable;
 }
 
-void BulletBodies::onNear(const OwnBody& body, const btCollisionObject& other) {
-    if (body.isWatchedAs(OwnBody::Watch::frozen)) quiet_.onNear(body.island(), other);
+void BulletBodies::onNear(const OwnBody& body, const btCollisionObject& other) noexcept {
+    if (body.isWatchedAs(OwnBody::Watch::frozen)) {
+        const std::scoped_lock guard(approaches_.lock());
+        quiet_.onNear(body.island(), other);
+    }
     if (body.isWatchedAs(OwnBody::Watch::breakable))
         approaches_.note(body, other, std::min(islands_->leastEnergy(), leastImpact_));
 }

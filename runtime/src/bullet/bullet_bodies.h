@@ -156,7 +156,8 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     btRigidBody* letGo(uint32_t island);
     [[nodiscard]] bool isStillThere(uint32_t island);
     void forgetDeleted(uint32_t island) override;
-    void onNear(const OwnBody& body, const btCollisionObject& other) override;
+    void onNear(const OwnBody& body, const btCollisionObject& other) noexcept override;
+    [[nodiscard]] bool asksBodies() const;
     void lose(uint32_t island);
     template <class Call>
     void tell(const Call& call) {

@@ -181,7 +181,9 @@ void remake(btConeTwistConstraint* c, btRigidBody& a, btRigidBody& b, const Ends
         c->setMaxMotorImpulseNormalized(old.getMaxMotorImpulse());
     else
         c->setMaxMotorImpulse(old.getMaxMotorImpulse());
-    c->setMotorTargetInConstraintSpace(old.getMotorTarget());
+    const btScalar length2 = old.getMotorTarget().length2();
+    if (length2 > 0.99F && length2 < 1.01F)
+        c->setMotorTargetInConstraintSpace(old.getMotorTarget());
     const std::array<Param, 3> params{{{BT_CONETWIST_FLAGS_LIN_CFM, BT_CONSTRAINT_CFM, 0},
                                        {BT_CONETWIST_FLAGS_LIN_ERP, BT_CONSTRAINT_ERP, 0},
                                        {BT_CONETWIST_FLAGS_ANG_CFM, BT_CONSTRAINT_CFM, 3}}};
@@ -241,10 +243,19 @@ void copyCommon(btTypedConstraint& c, const btTypedConstraint& old) {
     }
 }
 
+/// Before it is copied.
+template <class Constraint>
+void define(Constraint& /*constraint*/) {}
+/// Bullet leaves what a motor is open until it is set, and the target, too.
+void define(btConeTwistConstraint& c) {
+    if (!(c.getMaxMotorImpulse() >= 0)) c.setMaxMotorImpulse(c.getMaxMotorImpulse());
+}
+
 template <class Constraint>
 bool rebindAs(btTypedConstraint& constraint, btRigidBody& a, btRigidBody& b, const Ends& e) {
     Constraint* c = exactly<Constraint>(constraint);
     if (!c) return false;
+    define(*c);
     Constraint old(*c);
     c->~Constraint();
     remake(c, a, b, e, old);

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 
+#include "bullet/own_body.h"
+
 namespace sherd {
 namespace {
 
@@ -72,12 +74,26 @@ bool penetrates(const btCollisionObject& a, const btCollisionObject& b, float to
     return found;
 }
 
+namespace {
+
+/// By its list alone: a body of Sherd's takes Bullet's question for the beginning of a contact.
+bool ignores(const btCollisionObject& a, const btCollisionObject& b) {
+    return !a.btCollisionObject::checkCollideWithOverride(&b);
+}
+
+void setIgnored(btCollisionObject& a, const btCollisionObject& b, bool ignored) {
+    a.setIgnoreCollisionCheck(&b, ignored);
+    if (auto* own = dynamic_cast<OwnBody*>(&a)) own->keepWatch();
+}
+
+}  // namespace
+
 void IgnoredPairs::addIfOverlapping(btCollisionObject& a, btCollisionObject& b, float tolerance) {
-    if (&a != &b && a.checkCollideWith(&b) && penetrates(a, b, tolerance)) add(a, b, tolerance);
+    if (&a != &b && !ignores(a, b) && penetrates(a, b, tolerance)) add(a, b, tolerance);
 }
 
 void IgnoredPairs::add(btCollisionObject& a, btCollisionObject& b, float tolerance) {
-    if (!a.checkCollideWith(&b)) return;
+    if (ignores(a, b)) return;
     pairs_.push_back({&a, &b, tolerance});
     setIgnored(pairs_.back(), true);
 }
@@ -115,8 +131,8 @@ void IgnoredPairs::remove(const btCollisionObject& body, Vector<btCollisionObjec
 }
 
 void IgnoredPairs::setIgnored(const Pair& pair, bool ignored) {
-    pair.a->setIgnoreCollisionCheck(pair.b, ignored);
-    pair.b->setIgnoreCollisionCheck(pair.a, ignored);
+    sherd::setIgnored(*pair.a, *pair.b, ignored);
+    sherd::setIgnored(*pair.b, *pair.a, ignored);
     if (!ignored) {
         pair.a->activate();
         pair.b->activate();

@@ -20,7 +20,7 @@ class BodyOwner {
     /// The game has deleted it.
     virtual void forgetDeleted(uint32_t island) = 0;
     /// Something awake is near it, or it is awake; contacts have not been solved yet.
-    virtual void onNear(const OwnBody& body, const btCollisionObject& other) = 0;
+    virtual void onNear(const OwnBody& body, const btCollisionObject& other) noexcept = 0;
 };
 
 /// A body that Sherd makes. Bullet asks it about everything that comes near while one of the two is
@@ -55,6 +55,9 @@ class OwnBody final : public btRigidBody {
         return was || !isOn;
     }
 
+    /// The round of questions in which an ApproachWatch last noted something of it.
+    uint64_t& notedIn() const { return notedIn_; }
+
     bool checkCollideWithOverride(const btCollisionObject* other) const override {
         if (!btRigidBody::checkCollideWithOverride(other)) return false;
         if (owner_ && watches_ != 0) owner_->onNear(*this, *other);
@@ -65,6 +68,7 @@ class OwnBody final : public btRigidBody {
     BodyOwner* owner_;
     uint32_t island_;
     uint8_t watches_ = 0;
+    mutable uint64_t notedIn_ = 0;
 };
 
 /// Deletes Sherd's bodies, and lets go those of the game.

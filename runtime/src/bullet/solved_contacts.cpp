@@ -69,6 +69,12 @@ btTransform poseBefore(const btCollisionObject& object, const btVector3& contact
     return before;
 }
 
+/// Other actions may have removed it since.
+bool isThere(const btCollisionWorld& world, const btCollisionObject* object, int index) {
+    const btCollisionObjectArray& all = world.getCollisionObjectArray();
+    return index >= 0 && index < all.size() && all[index] == object;
+}
+
 int orderKey(const btCollisionObject& object) {
     return object.getBroadphaseHandle() ? object.getBroadphaseHandle()->m_uniqueId : -1;
 }
@@ -153,12 +159,15 @@ bool SolvedContacts::mayMatter(btCollisionWorld& world, float leastEnergy,
 }
 
 void SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy,
-                            std::span<const uint8_t> breakable) {
+                            std::span<const uint8_t> breakable,
+                            std::span<const Approach> approaches) {
     dt_ = dt;
     inStep_ = inStep;
     begin(world);
     isWhole_ = true;
-    if (mayMatter(world, leastEnergy, breakable)) gatherAll(world);
+    if (!mayMatter(world, leastEnergy, breakable)) return;
+    gatherAll(world);
+    takeNoted(world, approaches);
 }
 
 bool SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep,
@@ -168,12 +177,9 @@ bool SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep,
     begin(world);
     isWhole_ = false;
     const btCollisionObjectArray& all = world.getCollisionObjectArray();
-    // Other actions may have removed bodies since.
-    const auto isThere = [&](const btCollisionObject* object, int index) {
-        return index >= 0 && index < all.size() && all[index] == object;
-    };
     for (const Approach& approach : approaches) {
-        if (!isThere(approach.a, approach.indexA) || !isThere(approach.b, approach.indexB))
+        if (!isThere(world, approach.a, approach.indexA) ||
+            !isThere(world, approach.b, approach.indexB))
             return false;
         btBroadphasePair* pair =
             world.getPairCache()->findPair(all[approach.indexA]->getBroadphaseHandle(),
@@ -186,22 +192,34 @@ bool SolvedContacts::gather(btCollisionWorld& world, float dt, bool inStep,
     }
     mergePairs();
     linkBodies();
-    for (const Approach& approach : approaches) {
-        for (const auto& [index, motion] : {std::pair(approach.indexA, approach.motionA),
-                                            std::pair(approach.indexB, approach.motionB)}) {
-            const uint32_t local = localOf_[size_t(index)];
-            if (local == kNone) continue;
-            before_[local] = motion;
-            before_[local].linear += pushOfForces(local);
-        }
-    }
+    takeNoted(world, approaches);
     return true;
 }
 
-void SolvedContacts::gatherRest(btCollisionWorld& world) {
+void SolvedContacts::gatherRest(btCollisionWorld& world, std::span<const Approach> approaches) {
     begin(world);
     isWhole_ = true;
     gatherAll(world);
+    takeNoted(world, approaches);
+}
+
+/// What was noted is exact; of a body the last, should it have been changed between two.
+void SolvedContacts::takeNoted(const btCollisionWorld& world,
+                               std::span<const Approach> approaches) {
+    noted_.assign(bodies_.size(), 0);
+    const auto take = [&](const btCollisionObject* object, int index, const Motion& motion,
+                          uint32_t sequence) {
+        if (!isThere(world, object, index)) return;
+        const uint32_t local = localOf_[size_t(index)];
+        if (local == kNone || sequence + 1 <= noted_[local]) return;
+        noted_[local] = sequence + 1;
+        before_[local] = motion;
+        before_[local].linear += pushOfForces(local);
+    };
+    for (const Approach& approach : approaches) {
+        take(approach.a, approach.indexA, approach.motionA, approach.sequence);
+        take(approach.b, approach.indexB, approach.motionB, approach.sequence);
+    }
 }
 
 size_t SolvedContacts::find(const btCollisionObject& a, const btCollisionObject& b) const {

@@ -34,8 +34,8 @@ struct SolvedPair {
 };
 
 /// What the solver did in the substep just done, read from Bullet's contact points, which hold the
-/// impulses applied until the next substep. Subtracting them gives every body's velocity from
-/// before the contact without having recorded it, whatever the game did to velocities in between.
+/// impulses applied until the next substep. Subtracting them gives the velocity from before the
+/// contact of every body that was not asked, and noted, by an ApproachWatch.
 class SolvedContacts {
   public:
     /// Reads the world's contacts after a substep of `dt` seconds. Sleeping pairs are skipped:
@@ -43,12 +43,12 @@ class SolvedContacts {
     /// Where no contact of what may break (`breakable`: by place in Bullet's world) can have
     /// brought `leastEnergy`, J, there are no pairs.
     void gather(btCollisionWorld& world, float dt, bool inStep, float leastEnergy,
-                std::span<const uint8_t> breakable);
-    /// Reads only those pairs. False, and there are none, when Bullet no longer knows all of them.
+                std::span<const uint8_t> breakable, std::span<const Approach> approaches);
+    /// Reads only those pairs. False when Bullet no longer knows all of them: then all must be.
     bool gather(btCollisionWorld& world, float dt, bool inStep,
                 std::span<const Approach> approaches);
     /// Reads the rest, before the first of the bodies changes. Places in `pairs` are others then.
-    void gatherRest(btCollisionWorld& world);
+    void gatherRest(btCollisionWorld& world, std::span<const Approach> approaches);
     [[nodiscard]] bool isWhole() const { return isWhole_; }
     /// Place of the pair of two bodies, before either changes; pairs().size(): they do not touch.
     [[nodiscard]] size_t find(const btCollisionObject& a, const btCollisionObject& b) const;
@@ -78,6 +78,7 @@ class SolvedContacts {
   private:
     void begin(const btCollisionWorld& world);
     void gatherAll(btCollisionWorld& world);
+    void takeNoted(const btCollisionWorld& world, std::span<const Approach> approaches);
     void addManifold(const btPersistentManifold& manifold);
     uint32_t localIndex(btCollisionObject& body, const btVector3& contactPoint,
                         const btVector3& inBody);
@@ -100,6 +101,7 @@ class SolvedContacts {
     Vector<uint8_t> near_;     ///< by Bullet's world array index: may break, or touches what may
     Vector<Motion> received_;  ///< per body: impulse, and moment about its centre of mass
     Vector<Motion> before_;    ///< per body
+    Vector<uint32_t> noted_;   ///< per body: sequence of the note its motion is from, and 1
     Vector<btTransform> posesBefore_;  ///< per body; the impulses acted there
     Vector<uint32_t> touched_;         ///< bodies whose velocity the last undo changed
     float dt_ = 0;

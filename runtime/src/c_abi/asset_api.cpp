@@ -26,6 +26,12 @@ std::shared_ptr<const Asset> find(sherd_asset asset, uint32_t fragment) {
     return found && fragment < found->fragmentCount() ? found : nullptr;
 }
 
+/// `status`, if it is not for want of memory.
+sherd_status sayWhy(sherd_error* error, const Error& why, sherd_status status) {
+    const bool isLarge = why.code == ErrorCode::limitExceeded;
+    return say(error, isLarge ? SHERD_NO_MEMORY : status, why.message, why.where);
+}
+
 sherd_status refusal(sherd_asset asset) {
     return assets().find(asset.id) ? SHERD_BAD_ARGUMENT : SHERD_GONE;
 }
@@ -47,11 +53,7 @@ sherd_status sherd_load(const void* bytes, size_t size, sherd_asset* out, uint32
         return say(error, SHERD_BAD_ARGUMENT, "a pointer is null", "arguments");
     return guarded([&] {
         const auto loaded = loadAssets(std::span(static_cast<const uint8_t*>(bytes), size));
-        if (!loaded) {
-            const bool isLarge = loaded.error().code == ErrorCode::limitExceeded;
-            return say(error, isLarge ? SHERD_NO_MEMORY : SHERD_MALFORMED, loaded.error().message,
-                       loaded.error().where);
-        }
+        if (!loaded) return sayWhy(error, loaded.error(), SHERD_MALFORMED);
         *count = uint32_t(loaded->size());
         if (!out || loaded->size() > capacity)
             return say(error, SHERD_TOO_SMALL, "the file holds more objects than the array",
@@ -70,8 +72,7 @@ sherd_status sherd_asset_scale(sherd_asset asset, float factor, sherd_asset* out
     if (!found) return say(error, SHERD_GONE, "there is no such asset", "asset");
     return guarded([&] {
         auto scaled = Asset::scaled(found, factor);
-        if (!scaled)
-            return say(error, SHERD_BAD_ARGUMENT, scaled.error().message, scaled.error().where);
+        if (!scaled) return sayWhy(error, scaled.error(), SHERD_BAD_ARGUMENT);
         *out = {assets().add(std::move(*scaled))};
         return SHERD_OK;
     });
