@@ -26,6 +26,11 @@ function(sherd_target target)
   endif()
 endfunction()
 
+# sherd_in_parts(<target>): a library of which the linker leaves out what nobody calls, function by function.
+function(sherd_in_parts target)
+  target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections)
+endfunction()
+
 # sherd_pkg(<NAME> <pkg-config module>): an imported target PkgConfig::<NAME> with system includes.
 find_package(PkgConfig REQUIRED)
 macro(sherd_pkg name module)
