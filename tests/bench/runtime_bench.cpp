@@ -106,7 +106,8 @@ class IntactObjects {
         bullet_.addGround(0);
         if (withSherd) destruction_ = std::make_unique<DestructionWorld>(bullet_.world);
         for (int i = 0; i < 1000; ++i) {
-            const float x = 0.5F * float(i % 32) - 8, z = 0.5F * float(i / 32) - 8;
+            const int row = i / 32;
+            const float x = 0.5F * float(i % 32) - 8, z = 0.5F * float(row) - 8;
             btRigidBody& body = add(at(x, 0.1F, z));
             if (!asleep) body.setActivationState(DISABLE_DEACTIVATION);
         }

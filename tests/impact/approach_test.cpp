@@ -53,6 +53,7 @@ Outcome strike(uint32_t seed, Reading reading) {
     DestructionWorld destruction(bullet.world, drivenByHand());
     const auto asset = makeBox({.size = {0.4F, 1, 0.4F}, .level2 = {1, 2, 2}, .toughness = 20});
     std::vector<ObjectId> objects;
+    objects.reserve(3);
     for (int i = 0; i < 3; ++i)
         objects.push_back(destruction.spawn(asset, at(0.41F * float(i), 0.5F, 0)).value());
     const bool isAnchored = random.oneIn(3);
@@ -69,6 +70,7 @@ Outcome strike(uint32_t seed, Reading reading) {
         const auto events = destruction.events();
         outcome.events.assign(events.begin(), events.end());
     }
+    outcome.broken.reserve(objects.size() * asset->graph().bonds().size());
     for (const ObjectId object : objects)
         for (uint32_t b = 0; b < asset->graph().bonds().size(); ++b)
             outcome.broken.push_back(destruction.structure(object)->isBroken(b));
