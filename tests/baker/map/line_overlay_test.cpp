@@ -241,6 +241,7 @@ TEST_CASE("drawings are shown where they are drawn, whatever they are") {
         Random random(seed);
         const int cells = static_cast<int>(1 + random.below(5));
         std::vector<Points> lines;
+        lines.reserve(4);
         for (int i = 0; i < 4; ++i)
             lines.push_back({{random.in(0, 0.75), random.in(0, 0.75)},
                              {random.in(0, 0.75), random.in(0, 0.75)},
