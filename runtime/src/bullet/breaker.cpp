@@ -87,7 +87,7 @@ void Breaker::findMeetings() {
             return velocityAt(*contacts_.body(index), contacts_.motionBefore(index), pair.point) -
                    contacts_.pushOfForces(index);
         };
-        Meeting meeting{p, {}, 0, {}, {}};
+        Meeting meeting{p, {&a, &b}, {}, 0, {}};
         if (islands[0] != kNoIsland)
             meeting.fragments[0] = bodies_.fragmentAt(islands[0], pair.childA, pair.point);
         if (islands[1] != kNoIsland)
@@ -113,10 +113,6 @@ void Breaker::findMeetings() {
 /// What comes apart gives others back what it took from them: now all contacts count.
 void Breaker::seeRest() {
     if (contacts_.isWhole()) return;
-    for (Meeting& meeting : meetings_) {
-        const SolvedPair& pair = contacts_.pairs()[meeting.pair];
-        meeting.bodies = {contacts_.body(pair.a), contacts_.body(pair.b)};
-    }
     contacts_.gatherRest(world_, approaches_);
     for (Meeting& meeting : meetings_)
         meeting.pair = contacts_.find(*meeting.bodies[0], *meeting.bodies[1]);

@@ -27,10 +27,10 @@ class Breaker {
   private:
     struct Meeting {
         size_t pair;
+        std::array<const btCollisionObject*, 2> bodies;  ///< until the first of all is changed
         Contact contact;
         float energy;
         std::array<uint32_t, 2> fragments;  ///< struck; shapes may change before their turn
-        std::array<const btCollisionObject*, 2> bodies;  ///< while the rest is seen
     };
     struct Strike;
 

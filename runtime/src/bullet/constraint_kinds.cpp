@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bullet's constraints hold references to their bodies, so one that is to hold another body is made
-// anew in its own place: the game's pointer stays good, and what it set is copied over. C++20 lets
-// an object replace one of the same type there (basic.life, 8).
+// Bullet's constraints hold references to their bodies: to hold another one they are made anew.
+// C++20 lets an object replace one of the same type in its place (basic.life, 8).
 #include "bullet/constraint_kinds.h"
 
 #include <BulletDynamics/ConstraintSolver/btConeTwistConstraint.h>
@@ -38,6 +37,11 @@ btTransform at(const btVector3& pivot) {
 
 /// For every kind of constraint: its ends, how to set them, what it is made of with other bodies,
 /// and what else the game may have set.
+template <class Constraint>
+Ends ends(Constraint& c) {
+    return {c.getFrameOffsetA(), c.getFrameOffsetB()};
+}
+
 Ends ends(btPoint2PointConstraint& c) {
     return {at(c.getPivotInA()), at(c.getPivotInB())};
 }
@@ -89,9 +93,6 @@ void copyMotors(SixDof& c, SixDof& old) {
     c.*FlagsOf<SixDof>::kMember = old.*FlagsOf<SixDof>::kMember;
 }
 
-Ends ends(btGeneric6DofConstraint& c) {
-    return {c.getFrameOffsetA(), c.getFrameOffsetB()};
-}
 void remake(btGeneric6DofConstraint* c, btRigidBody& a, btRigidBody& b, const Ends& e,
             btGeneric6DofConstraint& old) {
     new (c) btGeneric6DofConstraint(a, b, e.a, e.b, old.getUseLinearReferenceFrameA());
@@ -99,9 +100,6 @@ void remake(btGeneric6DofConstraint* c, btRigidBody& a, btRigidBody& b, const En
     c->setUseFrameOffset(old.getUseFrameOffset());
 }
 
-Ends ends(btGeneric6DofSpring2Constraint& c) {
-    return {c.getFrameOffsetA(), c.getFrameOffsetB()};
-}
 void remake(btGeneric6DofSpring2Constraint* c, btRigidBody& a, btRigidBody& b, const Ends& e,
             btGeneric6DofSpring2Constraint& old) {
     new (c) btGeneric6DofSpring2Constraint(a, b, e.a, e.b, old.getRotationOrder());
@@ -113,9 +111,6 @@ void remake(btFixedConstraint* c, btRigidBody& a, btRigidBody& b, const Ends& e,
     copyMotors<btGeneric6DofSpring2Constraint>(*c, old);
 }
 
-Ends ends(btSliderConstraint& c) {
-    return {c.getFrameOffsetA(), c.getFrameOffsetB()};
-}
 void remake(btSliderConstraint* c, btRigidBody& a, btRigidBody& b, const Ends& e,
             btSliderConstraint& old) {
     new (c) btSliderConstraint(a, b, e.a, e.b, old.getUseLinearReferenceFrameA());

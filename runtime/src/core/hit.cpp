@@ -238,12 +238,10 @@ bool Spreading::breakSeams(float& left, HitResult& result) {
     }
     // Children that nothing holds together cost the least there is.
     if (divided_ != kNone && !opens && rest > double(options_.minimumEnergy)) {
-        const Range leaves = graph_.leavesOf(divided_);
         bool isBonded = false;
-        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf)
-            for (const BondGraph::Edge& edge : graph_.edgesOf(leaf))
-                isBonded = isBonded || (graph_.bond(edge.bond).parting == divided_ &&
-                                        edge.other != BondGraph::kWorld);
+        for (const BondGraph::Edge& edge : graph_.edgesOf(graph_.leavesOf(divided_)))
+            isBonded = isBonded || (graph_.bond(edge.bond).parting == divided_ &&
+                                    edge.other != BondGraph::kWorld);
         if (!isBonded) {
             opens = true;
             rest -= double(options_.minimumEnergy);

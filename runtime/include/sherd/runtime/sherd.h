@@ -76,7 +76,8 @@ SHERD_API sherd_status sherd_load(const void* bytes, size_t size, sherd_asset* a
 SHERD_API void sherd_asset_release(sherd_asset asset);
 
 /* The same object `factor` times as large and of the same substance, an asset of its own:
- * colliders, masses and what breaking takes are in its size, vertices are the original's. */
+ * colliders, masses and what breaking takes are in its size, vertices are the original's. In the
+ * size of the original it is the original, by another handle. */
 SHERD_API sherd_status sherd_asset_scale(sherd_asset asset, float factor, sherd_asset* out,
                                          sherd_error* error);
 
