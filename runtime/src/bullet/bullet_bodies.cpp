@@ -39,14 +39,14 @@ void BulletBodies::attach(IslandWorld& islands, std::span<const BodyRule> rules,
     listener_ = listener;
 }
 
-std::unique_ptr<IslandShape> BulletBodies::takeShape() {
-    if (spareShapes_.empty()) return std::make_unique<IslandShape>();
-    std::unique_ptr<IslandShape> shape = std::move(spareShapes_.back());
+Pooled<IslandShape> BulletBodies::takeShape() {
+    if (spareShapes_.empty()) return makePooled<IslandShape>();
+    Pooled<IslandShape> shape = std::move(spareShapes_.back());
     spareShapes_.pop_back();
     return shape;
 }
 
-void BulletBodies::dropShape(std::unique_ptr<IslandShape> shape) {
+void BulletBodies::dropShape(Pooled<IslandShape> shape) {
     if (!shape) return;
     shape->clear();
     spareShapes_.push_back(std::move(shape));
@@ -140,7 +140,7 @@ void BulletBodies::wakeAround(const btRigidBody& body) {
 }
 
 void BulletBodies::make(Body& slot, const IslandBody& island) {
-    auto* body = new OwnBody(describe(slot, island), *this, island.island);
+    auto* body = new (pool_) OwnBody(describe(slot, island), *this, island.island);
     slot.body = BodyPointer(body);
     slot.own = body;
     slot.own->watch(OwnBody::Watch::breakable, true);  // until it is known
@@ -169,7 +169,7 @@ void BulletBodies::update(const IslandBody& island) {
     const bool isInPlace =
         slot.shape && wasFixed == isFixed && island.fragments.size() > 1 &&
         slot.shape->become(*slot.shapes, island.fragments, toBullet(island.frame), marks_);
-    std::unique_ptr<IslandShape> old;
+    Pooled<IslandShape> old;
     if (!isInPlace) {
         if (isInWorld) world_.removeRigidBody(&body);
         old = std::move(slot.shape);

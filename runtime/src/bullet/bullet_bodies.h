@@ -130,8 +130,8 @@ class BulletBodies final : public BodyTable, private BodyOwner {
         bool isBreakable = false;  ///< that changes only with the body
         bool isFixed = false;      ///< by Sherd
         uint32_t firstFragment = 0;
-        OwnBody* own = nullptr;              ///< the same, made here
-        std::unique_ptr<IslandShape> shape;  ///< null: its only fragment's own
+        OwnBody* own = nullptr;     ///< the same, made here
+        Pooled<IslandShape> shape;  ///< null: its only fragment's own
         const FragmentShapes* shapes = nullptr;
         const RestOverlaps* overlaps = nullptr;
         uint32_t object = 0;
@@ -146,8 +146,8 @@ class BulletBodies final : public BodyTable, private BodyOwner {
         btRigidBody* body = nullptr;
         btTransform objectToBody;
     };
-    std::unique_ptr<IslandShape> takeShape();
-    void dropShape(std::unique_ptr<IslandShape> shape);
+    Pooled<IslandShape> takeShape();
+    void dropShape(Pooled<IslandShape> shape);
     btRigidBody::btRigidBodyConstructionInfo describe(Body& slot, const IslandBody& island);
     void make(Body& slot, const IslandBody& island);
     void adopt(Body& slot, const IslandBody& island);
@@ -157,6 +157,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     [[nodiscard]] bool isStillThere(uint32_t island);
     void forgetDeleted(uint32_t island) override;
     void onNear(const OwnBody& body, const btCollisionObject& other) noexcept override;
+    BodyPool& pool() override { return pool_; }
     [[nodiscard]] bool asksBodies() const;
     void lose(uint32_t island);
     template <class Call>
@@ -187,10 +188,11 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     Vector<uint32_t> adopted_;         ///< islands
     btRigidBody* replaced_ = nullptr;  ///< the game's body that is coming apart
     Vector<btRigidBody*> parts_;
+    BodyPool pool_{sizeof(OwnBody)};
     Vector<Body> bodies_;  ///< per island
     ApproachWatch approaches_;
     IslandShape::Marks marks_;
-    Vector<std::unique_ptr<IslandShape>> spareShapes_;
+    Vector<Pooled<IslandShape>> spareShapes_;
     uint32_t awakeDebris_ = 0;
     bool inStep_ = false;
 };

@@ -13,8 +13,9 @@
 namespace sherd {
 namespace {
 
-/// Large lists are kept, too; few at once, or most of what is kept would never be used.
-constexpr std::pmr::pool_options kPools{4, size_t{1} << 22};
+/// Large lists are kept, too. Few at once, or most of what is kept would never be used; but not so
+/// few that Bullet's own things, which it makes between them, lie far apart.
+constexpr std::pmr::pool_options kPools{64, size_t{1} << 22};
 
 }  // namespace
 

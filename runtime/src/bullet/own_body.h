@@ -5,6 +5,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <new>
+
+#include "bullet/body_pool.h"
 
 namespace sherd {
 
@@ -21,6 +24,8 @@ class BodyOwner {
     virtual void forgetDeleted(uint32_t island) = 0;
     /// Something awake is near it, or it is awake; contacts have not been solved yet.
     virtual void onNear(const OwnBody& body, const btCollisionObject& other) noexcept = 0;
+    /// Where its bodies are.
+    virtual BodyPool& pool() = 0;
 };
 
 /// A body that Sherd makes. Bullet asks it about everything that comes near while one of the two is
@@ -35,11 +40,20 @@ class OwnBody final : public btRigidBody {
     OwnBody(const btRigidBodyConstructionInfo& info, BodyOwner& owner, uint32_t island)
         : btRigidBody(info), owner_(&owner), island_(island) {}
     ~OwnBody() override {
-        if (owner_) owner_->forgetDeleted(island_);
+        if (!isDisowned_) owner_->forgetDeleted(island_);
     }
     OwnBody(const OwnBody&) = delete;
     OwnBody& operator=(const OwnBody&) = delete;
-    void disown() { owner_ = nullptr; }
+    static void* operator new(size_t /*size*/, BodyPool& pool) { return pool.take(); }
+    static void operator delete(void* place, BodyPool& pool) { pool.giveBack(place); }
+    static void operator delete(OwnBody* body, std::destroying_delete_t /*tag*/) {
+        BodyPool& pool = body->owner_->pool();
+        body->~OwnBody();
+        pool.giveBack(body);
+    }
+
+    /// Its end is no news to its owner.
+    void disown() { isDisowned_ = true; }
 
     [[nodiscard]] uint32_t island() const { return island_; }
     [[nodiscard]] bool isWatchedAs(Watch why) const { return (watches_ & uint8_t(why)) != 0; }
@@ -60,7 +74,7 @@ class OwnBody final : public btRigidBody {
 
     bool checkCollideWithOverride(const btCollisionObject* other) const override {
         if (!btRigidBody::checkCollideWithOverride(other)) return false;
-        if (owner_ && watches_ != 0) owner_->onNear(*this, *other);
+        if (!isDisowned_ && watches_ != 0) owner_->onNear(*this, *other);
         return true;
     }
 
@@ -68,6 +82,7 @@ class OwnBody final : public btRigidBody {
     BodyOwner* owner_;
     uint32_t island_;
     uint8_t watches_ = 0;
+    bool isDisowned_ = false;
     mutable uint64_t notedIn_ = 0;
 };
 

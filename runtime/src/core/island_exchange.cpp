@@ -24,7 +24,7 @@ bool IslandWorld::exchange(uint32_t index, std::shared_ptr<const Asset> asset) {
     const glm::vec3 before = motion.pose.translation;
     bodies_.beforeSplit(slot);
     object.asset = std::move(asset);
-    object.structure = std::make_unique<Structure>(object.asset);
+    object.structure = makePooled<Structure>(object.asset);
     island.isAnchored = object.asset->graph().isAnchored(0);
     // One that stood by the file's anchors alone falls without them.
     island.isFixed = island.isAnchored || (island.isFixed && !wasAnchored);

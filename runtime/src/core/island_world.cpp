@@ -46,7 +46,7 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     if (object.structure) {
         object.structure->renew(object.asset);
     } else {
-        object.structure = std::make_unique<Structure>(object.asset);
+        object.structure = makePooled<Structure>(object.asset);
     }
     object.damage = damage;
     object.loads.clear();

@@ -109,7 +109,7 @@ class IslandWorld {
     };
     struct Object {
         std::shared_ptr<const Asset> asset;  ///< null: this slot is free
-        std::unique_ptr<Structure> structure;
+        Pooled<Structure> structure;
         uint32_t generation = 0;
         DamageOptions damage;
         Vector<Load> loads;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <memory_resource>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace sherd {
@@ -56,6 +58,26 @@ class Allocator {
   private:
     std::pmr::memory_resource* memory_;
 };
+
+/// Gives back what `makePooled` took.
+template <class T>
+struct PooledDelete {
+    std::pmr::memory_resource* memory = nullptr;
+    void operator()(T* thing) const {
+        std::pmr::polymorphic_allocator<T>(memory).delete_object(thing);
+    }
+};
+template <class T>
+using Pooled = std::unique_ptr<T, PooledDelete<T>>;
+
+/// One thing in what is current memory now.
+template <class T, class... Arguments>
+Pooled<T> makePooled(Arguments&&... arguments) {
+    std::pmr::memory_resource* memory = &currentMemory();
+    T* thing = std::pmr::polymorphic_allocator<T>(memory).template new_object<T>(
+        std::forward<Arguments>(arguments)...);
+    return Pooled<T>(thing, PooledDelete<T>{memory});
+}
 
 template <class T>
 using Vector = std::vector<T, Allocator<T>>;
