@@ -145,8 +145,8 @@ void BulletBodies::make(Body& slot, const IslandBody& island) {
     slot.own = body;
     slot.own->watch(OwnBody::Watch::breakable, true);  // until it is known
     slot.body->setUserIndex3(int(island.island));
-    slot.seen = slot.body->getWorldTransform();
-    slot.isStill = slot.isKnown = false;
+    slot.track.startAt(slot.body->getWorldTransform());
+    slot.isKnown = false;
     move(*slot.body, island.motion);
 }
 
@@ -178,8 +178,8 @@ void BulletBodies::update(const IslandBody& island) {
     if (!isInPlace) body.setCollisionShape(info.m_collisionShape);
     body.setWorldTransform(info.m_startWorldTransform);
     body.setInterpolationWorldTransform(info.m_startWorldTransform);
-    slot.seen = info.m_startWorldTransform;
-    slot.isStill = slot.isKnown = false;
+    slot.track.startAt(info.m_startWorldTransform);
+    slot.isKnown = false;
     slot.own->watch(OwnBody::Watch::breakable, true);
     body.setMassProps(info.m_mass, info.m_localInertia);
     body.updateInertiaTensor();
@@ -214,6 +214,7 @@ void BulletBodies::update(const IslandBody& island) {
 
 void BulletBodies::remove(uint32_t island) {
     Body& slot = bodies_[island];
+    slot.track.forget();
     if (!slot.body) return;  // the game has deleted it
     released_.forget(island);
     quiet_.forget(island);
@@ -258,7 +259,7 @@ bool BulletBodies::asksBodies() const {
            btCollisionDispatcher::defaultNearCallback;
 }
 
-bool BulletBodies::readPoses(IslandWorld& islands) {
+bool BulletBodies::readPlaces() {
     const bool withUnbreakable = leastImpact_ < HUGE_VALF;
     if (!asksBodies()) approaches_.miss();
     bool isTouchable = false;
@@ -271,25 +272,28 @@ bool BulletBodies::readPoses(IslandWorld& islands) {
         const bool wasAsked = slot.own && slot.own->keepWatch();
         if (!slot.isKnown) {
             slot.isKnown = true;
-            slot.isBreakable = withUnbreakable || islands.isBreakable(i);
+            slot.isBreakable = withUnbreakable || islands_->isBreakable(i);
             if (slot.own) slot.own->watch(OwnBody::Watch::breakable, slot.isBreakable);
         }
         if (slot.isBreakable && !wasAsked) approaches_.miss();
         isTouchable =
             isTouchable || (slot.isBreakable && (isActive || slot.body->isStaticObject()));
         if (isActive && !slot.isFixed && slot.firstFragment != 0) ++awakeDebris_;
-        if (!isActive && slot.isStill) continue;
-        const btTransform& now = slot.body->getWorldTransform();
-        const bool isStill = now == slot.seen;
-        if (!isStill) {
-            islands.moveTo(i, toPose(now * slot.objectToBody));
-            slot.seen = now;
-        } else if (!slot.isStill) {
-            islands.stayPut(i);
-        }
-        slot.isStill = isStill;
+        if (!isActive && slot.track.isStill()) continue;
+        if (slot.track.note(slot.body->getWorldTransform())) untold_.push_back(i);
     }
     return isTouchable;
+}
+
+void BulletBodies::tellMoves() {
+    for (const uint32_t i : untold_) {
+        Body& slot = bodies_[i];
+        const auto move = [&](const btTransform& place) {
+            islands_->moveTo(i, toPose(place * slot.objectToBody));
+        };
+        slot.track.tell(move, [&] { islands_->stayPut(i); });
+    }
+    untold_.clear();
 }
 
 void BulletBodies::onNear(const OwnBody& body, const btCollisionObject& other) noexcept {

@@ -12,6 +12,7 @@
 #include "bullet/approach_watch.h"
 #include "bullet/asset_store.h"
 #include "bullet/body_rules.h"
+#include "bullet/body_track.h"
 #include "bullet/constraint_mover.h"
 #include "bullet/convert.h"
 #include "bullet/island_shape.h"
@@ -61,6 +62,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     [[nodiscard]] BodyMotion motion(uint32_t island) const override;
     void beforeSplit(uint32_t island) override;
     void afterSplit(uint32_t island, std::span<const uint32_t> islands) override;
+    void tellMoves() override;
 
     /// Lets go the game's bodies that it has taken out of Bullet's world. Without a look at them:
     /// they may be deleted.
@@ -75,24 +77,24 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     void giveBack(uint32_t island) { replaced_ = letGo(island); }
     void announce(std::span<const uint32_t> islands);
 
-    /// After a substep: tells the world where its islands are. Returns whether contacts can have
-    /// broken any of them: Bullet wakes what is touched, and the last pieces do not break; or can
-    /// have met any, where every contact counts.
-    bool readPoses(IslandWorld& islands);
+    /// After a substep: notes where its bodies are, for `tellMoves`. Returns whether contacts can
+    /// have broken any of them: Bullet wakes what is touched, and the last pieces do not break; or
+    /// can have met any, where every contact counts.
+    bool readPlaces();
 
-    /// What came at those that may break, in the substep just done; as of `readPoses`.
+    /// What came at those that may break, in the substep just done; as of `readPlaces`.
     [[nodiscard]] ApproachWatch& approaches() { return approaches_; }
 
     /// Marks those that may break, or be told of, by their places in Bullet's world; as of
-    /// `readPoses`.
+    /// `readPlaces`.
     void markBreakable(Vector<uint8_t>& marks) const;
 
-    /// Pieces that were awake and moving at the last `readPoses`.
+    /// Pieces that were awake and moving at the last `readPlaces`.
     [[nodiscard]] uint32_t awakeDebris() const { return awakeDebris_; }
 
     /// The body was moved by hand; its island knows where.
     void noteTransform(uint32_t island) {
-        bodies_[island].seen = bodies_[island].body->getWorldTransform();
+        bodies_[island].track.startAt(bodies_[island].body->getWorldTransform());
     }
 
     /// The body may have been taken out of Bullet's world by the game.
@@ -124,20 +126,19 @@ class BulletBodies final : public BodyTable, private BodyOwner {
   private:
     struct Body {
         // What every substep asks of every body lies together.
-        BodyPointer body;  ///< null: there is none
-        bool isStill = false;
+        BodyPointer body;          ///< null: there is none
         bool isKnown = false;      ///< whether it is breakable:
         bool isBreakable = false;  ///< that changes only with the body
         bool isFixed = false;      ///< by Sherd
         uint32_t firstFragment = 0;
-        OwnBody* own = nullptr;     ///< the same, made here
+        OwnBody* own = nullptr;  ///< the same, made here
+        BodyTrack track;
         Pooled<IslandShape> shape;  ///< null: its only fragment's own
         const FragmentShapes* shapes = nullptr;
         const RestOverlaps* overlaps = nullptr;
         uint32_t object = 0;
         float diagonal = 0;  ///< of the object, metres
         btTransform objectToBody;
-        btTransform seen;     ///< where it was when its pose was read last
         int worldIndex = -1;  ///< where an adopted body was seen in Bullet's list
         int gamesNumber = 0;  ///< what it carried as user index 3
         btTransform mass;     ///< of an adopted body: where the island's own frame is in it
@@ -194,6 +195,7 @@ class BulletBodies final : public BodyTable, private BodyOwner {
     IslandShape::Marks marks_;
     Vector<Pooled<IslandShape>> spareShapes_;
     uint32_t awakeDebris_ = 0;
+    Vector<uint32_t> untold_;  ///< islands whose tracks may have something to tell
     bool inStep_ = false;
 };
 

@@ -46,7 +46,7 @@ void DestructionWorld::Impl::step(float dt, bool inStep) noexcept {
     lastStep = dt;
     bodies.noticeGone();
     bodies.released().releaseSeparated();
-    const bool isTouchable = bodies.readPoses(islands);
+    const bool isTouchable = bodies.readPlaces();
     const uint32_t awake = bodies.awakeDebris();
     islands.allowAwake(settings.maxAwakeBodies - std::min(settings.maxAwakeBodies, awake));
     if (isTouchable) breaker.measure(dt, inStep);

@@ -25,8 +25,8 @@ void BulletBodies::adopt(Body& slot, const IslandBody& island) {
     slot.diagonal = island.asset->diagonal();
     slot.objectToBody = adopted.objectToBody;
     slot.mass = adopted.objectToBody * toBullet(island.frame);
-    slot.seen = body.getWorldTransform();
-    slot.isStill = slot.isKnown = false;
+    slot.track.startAt(body.getWorldTransform());
+    slot.isKnown = false;
     slot.worldIndex = body.getWorldArrayIndex();
     slot.gamesNumber = body.getUserIndex3();
     body.setUserIndex3(int(island.island));

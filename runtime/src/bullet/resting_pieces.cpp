@@ -70,7 +70,7 @@ Pile pileOf(const IslandWorld& islands, uint32_t object, const glm::vec3& up) {
         if (bond.b == BondGraph::kWorld) continue;
         const uint32_t a = pile.islandOf[bond.a], b = pile.islandOf[bond.b];
         if (a == b || a == UINT32_MAX || b == UINT32_MAX) continue;
-        const float rise = glm::dot(islands.island(a).pose.rotation * bond.normal, up);
+        const float rise = glm::dot(islands.placesOf(a).now.rotation * bond.normal, up);
         const float friction = asset.fragment(graph.fragmentOfLeaf(bond.a)).friction *
                                asset.fragment(graph.fragmentOfLeaf(bond.b)).friction;
         const bool bears = std::abs(rise) >= holdingSlope(friction);

@@ -77,7 +77,7 @@ void DestructionWorld::Impl::anchorToStatic(uint32_t object) {
     const float tolerance = kStaticTouch * found.asset->diagonal();
     std::vector<uint32_t> leaves;
     for (const uint32_t i : found.islands) {
-        const btTransform frame = toBullet(islands.island(i).pose);
+        const btTransform frame = toBullet(islands.placesOf(i).now);
         for (const uint32_t fragment : islands.island(i).fragments) {
             const Range run = graph.leavesOf(fragment);
             for (uint32_t leaf = run.first; leaf < run.first + run.count; ++leaf) {

@@ -363,7 +363,7 @@ sherd_status sherd_get_island(sherd_world handle, uint32_t island, sherd_island*
     out->is_fixed = found.isFixed ? 1 : 0;
     out->is_anchored = found.isAnchored ? 1 : 0;
     out->age = world->islands.time() - found.bornAt;
-    out->pose = pose(found.pose);
+    out->pose = pose(world->islands.placesOf(island).now);
     return SHERD_OK;
 }
 

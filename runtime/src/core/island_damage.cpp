@@ -115,7 +115,7 @@ void IslandWorld::breakAll(uint32_t object) {
     // In its own frame: seen from the world an object may be too far away for any radius.
     const Vector<uint32_t> islands = objects_[object].islands;
     for (const uint32_t island : islands)
-        dealTo(island, everything, islands_[island].pose.translation, false);
+        dealTo(island, everything, placesOf(island).now.translation, false);
 }
 
 void IslandWorld::pin(uint32_t index, std::span<const uint32_t> leaves, bool pinned) {

@@ -31,7 +31,7 @@ bool IslandWorld::exchange(uint32_t index, std::shared_ptr<const Asset> asset) {
     island.mass = double(object.asset->fragment(0).mass);
     IslandBody body = describe(slot);
     island.frame = body.frame;
-    motion.pose = island.pose * body.frame;
+    motion.pose = placesOf(slot).now * body.frame;
     motion.linearVelocity += glm::cross(motion.angularVelocity, motion.pose.translation - before);
     body.motion = island.isFixed ? BodyMotion{motion.pose, {}, {}} : motion;
     bodies_.update(body);

@@ -16,7 +16,7 @@ DebrisInfo IslandWorld::describePiece(uint32_t index) const {
     piece.asset = &asset.original();
     piece.fragment = island.fragments.front();
     piece.level = asset.fragment(piece.fragment).level;
-    piece.position = (island.pose * island.frame).translation;
+    piece.position = (placesOf(index).now * island.frame).translation;
     piece.mass = float(island.mass);
     const Asset::Box around = asset.boxAround(island.fragments);
     piece.size = glm::distance(around.low, around.high);

@@ -48,10 +48,10 @@ void IslandWorld::takeUp(uint32_t index) {
         for (uint32_t f = 0; f < stand.count; ++f) parts_.push_back(stand.first + f);
     }
     stress_.reset(*probe_, parts_, object.damage);
+    const glm::quat toObject = glm::conjugate(placesOf(stressed_).now.rotation);
     for (const Load& load : object.loads) {
         const uint32_t leaf = asset.graph().leavesOf(load.fragment).first;
-        stress_.addForce(probe_->fragmentAt(leaf),
-                         glm::conjugate(island.pose.rotation) * load.force,
+        stress_.addForce(probe_->fragmentAt(leaf), toObject * load.force,
                          asset.fragment(load.fragment).centerOfMass);
     }
 }
@@ -71,7 +71,8 @@ void IslandWorld::workOnStress(const glm::vec3& gravity, uint32_t maxIterations)
     }
     const Island& island = islands_[stressed_];
     Object& object = objects_[island.object];
-    stress_.setGravity(glm::conjugate(island.pose.rotation) * gravity);
+    const RigidPose place = placesOf(stressed_).now;
+    stress_.setGravity(glm::conjugate(place.rotation) * gravity);
     if (!stress_.step(maxIterations)) return;
 
     // A crack leads the load elsewhere: the worst first, the others when it is clear what is left.
@@ -86,7 +87,7 @@ void IslandWorld::workOnStress(const glm::vec3& gravity, uint32_t maxIterations)
         const BondGraph::Bond& bond = object.structure->graph().bond(b);
         hit_.area += bond.area;
         hit_.level = std::max(hit_.level, object.asset->fragment(bond.parting).level + 1);
-        event.point = island.pose * bond.centroid;
+        event.point = place * bond.centroid;
         if (bond.b != BondGraph::kWorld) object.structure->openDownTo(bond.parting, hit_.opened);
     }
     settle(solved, island.fragments.front(), event, true);

@@ -22,13 +22,15 @@ IslandWorld::IslandWorld(BodyTable& bodies, uint32_t maxPendingEvents)
 
 IslandWorld::~IslandWorld() = default;
 
-uint32_t IslandWorld::takeIsland() {
+uint32_t IslandWorld::takeIsland(const Places& places) {
     if (freeIslands_.empty()) {
         islands_.emplace_back();
+        places_.push_back(places);
         return uint32_t(islands_.size() - 1);
     }
     const uint32_t slot = freeIslands_.back();
     freeIslands_.pop_back();
+    places_[slot] = places;
     return slot;
 }
 
@@ -51,7 +53,7 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     object.damage = damage;
     object.loads.clear();
     leastEnergy_ = std::min(leastEnergy_, damage.minimumEnergy);
-    const uint32_t slot = takeIsland();
+    const uint32_t slot = takeIsland({pose, pose});
     Island& island = islands_[slot];
     island.object = index;
     island.fragments.assign(1, 0);
@@ -59,7 +61,6 @@ ObjectId IslandWorld::spawn(std::shared_ptr<const Asset> asset, const RigidPose&
     island.isAnchored = object.asset->graph().isAnchored(0);
     island.isFixed = !dynamic || island.isAnchored;
     island.bornAt = -HUGE_VAL;
-    island.pose = island.previous = pose;
     object.islands.assign(1, slot);
     IslandBody body = describe(slot);
     body.motion = motion;
@@ -139,7 +140,7 @@ void IslandWorld::create(IslandBody body, const RigidPose* bodyPose) {
     ++islandCount_;
     island.frame = body.frame;
     if (island.isFixed) body.motion = {};
-    body.motion.pose = bodyPose ? *bodyPose : island.pose * body.frame;
+    body.motion.pose = bodyPose ? *bodyPose : placesOf(body.island).now * body.frame;
     bodies_.create(body);
     poses_.noteRegrouped(island.object);
 }
@@ -195,6 +196,7 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
                    groups.begin());
         const bool isSplit = change_ == Change::apart;
         const BodyMotion whole = bodies_.motion(index);
+        const Places places = placesOf(index);
         // A part moves as it did in the whole.
         const auto motionAt = [&](const glm::vec3& center) {
             BodyMotion motion;
@@ -214,19 +216,17 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
         const uint32_t from = islands_[index].fragments.front();
         for (size_t g = 0; g < groups.size(); ++g) {
             if (g == heaviest) continue;
-            const uint32_t slot = takeIsland();
+            const uint32_t slot = takeIsland(places);
             Island& island = islands_[slot];
-            const Island& old = islands_[index];
-            island.object = old.object;
-            island.pose = old.pose;
-            island.previous = old.previous;
+            island.object = islands_[index].object;
             island.bornAt = time_;
             give(island, g);
             island.isFixed = island.isAnchored;
             IslandBody body = describe(slot);
-            body.motion = motionAt((island.pose * body.frame).translation);
+            const RigidPose pose = places.now * body.frame;
+            body.motion = motionAt(pose.translation);
             create(body);
-            body.motion.pose = islands_[slot].pose * body.frame;
+            body.motion.pose = pose;
             addIslandEvent(body, from);
             split_.push_back(slot);
         }
@@ -237,7 +237,7 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
         kept.isFixed = kept.isAnchored || (!isSplit && kept.isFixed);
         IslandBody body = describe(index);
         kept.frame = body.frame;
-        body.motion.pose = kept.pose * body.frame;
+        body.motion.pose = places.now * body.frame;
         if (!kept.isFixed) {
             const RigidPose pose = body.motion.pose;
             body.motion = motionAt(pose.translation);
@@ -269,7 +269,7 @@ void IslandWorld::replace(uint32_t index, Structure&& structure, Vector<SavedIsl
     removeIslands(index);
     *object.structure = std::move(structure);
     for (SavedIsland& from : islands) {
-        const uint32_t slot = takeIsland();
+        const uint32_t slot = takeIsland(from.places);
         Island& island = islands_[slot];
         island.object = index;
         island.fragments = std::move(from.fragments);
@@ -279,8 +279,6 @@ void IslandWorld::replace(uint32_t index, Structure&& structure, Vector<SavedIsl
         island.isFixed = from.isFixed;
         island.isAnchored = from.isAnchored;
         island.bornAt = from.bornAt;
-        island.pose = from.pose;
-        island.previous = from.previous;
         object.islands.push_back(slot);
         IslandBody body = describe(slot);
         body.motion = from.motion;
@@ -292,10 +290,25 @@ void IslandWorld::replace(uint32_t index, Structure&& structure, Vector<SavedIsl
 }
 
 void IslandWorld::moveTo(uint32_t index, const RigidPose& pose) {
-    Island& island = islands_[index];
-    island.previous = island.pose;
-    island.pose = pose;
-    poses_.noteMoved(island.object);
+    Places& places = places_[index];
+    places.before = places.now;
+    places.now = pose;
+    poses_.noteMoved(islands_[index].object);
+}
+
+void IslandWorld::stayPut(uint32_t index) {
+    places_[index].before = places_[index].now;
+    poses_.noteMoved(islands_[index].object);
+}
+
+std::span<const FragmentPose> IslandWorld::poses() {
+    bodies_.tellMoves();
+    return poses_.list(*this);
+}
+
+std::span<const Range> IslandWorld::changedPoses() {
+    bodies_.tellMoves();
+    return poses_.takeChanges(*this);
 }
 
 void IslandWorld::follow(uint32_t island) {

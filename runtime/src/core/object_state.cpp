@@ -35,14 +35,17 @@ RigidPose readPose(ByteReader& from) {
     return pose;
 }
 
-void writeIsland(const IslandWorld::Island& island, const BodyMotion& motion, ByteWriter& to) {
+void writeIsland(const IslandWorld& world, uint32_t index, ByteWriter& to) {
+    const IslandWorld::Island& island = world.island(index);
+    const IslandWorld::Places& places = world.placesOf(index);
+    const BodyMotion motion = world.motionOf(index);
     to.u32(uint32_t(island.fragments.size()));
     for (const uint32_t fragment : island.fragments) to.u32(fragment);
     to.u8(uint8_t((island.isFixed ? 1 : 0) | (island.isAnchored ? 2 : 0)));
     to.f64(island.bornAt);
     to.f64(island.fadingSince);
-    write(island.pose, to);
-    write(island.previous, to);
+    write(places.now, to);
+    write(places.before, to);
     write(motion.pose, to);
     write(motion.linearVelocity, to);
     write(motion.angularVelocity, to);
@@ -58,8 +61,8 @@ IslandWorld::SavedIsland readIsland(ByteReader& from) {
     island.isAnchored = (flags & 2) != 0;
     island.bornAt = from.f64();
     island.fadingSince = from.f64();
-    island.pose = readPose(from);
-    island.previous = readPose(from);
+    island.places.now = readPose(from);
+    island.places.before = readPose(from);
     island.motion.pose = readPose(from);
     island.motion.linearVelocity = readVector(from);
     island.motion.angularVelocity = readVector(from);
@@ -67,9 +70,9 @@ IslandWorld::SavedIsland readIsland(ByteReader& from) {
 }
 
 bool isSound(const IslandWorld::SavedIsland& island) {
-    return !whyRefused(island.pose) && !whyRefused(island.previous) && !whyRefused(island.motion) &&
-           !std::isnan(island.bornAt) && !std::isnan(island.fadingSince) &&
-           island.fadingSince > -HUGE_VAL;
+    return !whyRefused(island.places.now) && !whyRefused(island.places.before) &&
+           !whyRefused(island.motion) && !std::isnan(island.bornAt) &&
+           !std::isnan(island.fadingSince) && island.fadingSince > -HUGE_VAL;
 }
 
 /// Every fragment that stands is part of one island, and each island is one piece; the others were
@@ -116,7 +119,7 @@ std::vector<uint8_t> saveObject(const IslandWorld& world, uint32_t object, uint3
     to.f64(world.time());
     writeStructure(*saved.structure, to);
     to.u32(uint32_t(saved.islands.size()));
-    for (const uint32_t i : saved.islands) writeIsland(world.island(i), world.motionOf(i), to);
+    for (const uint32_t i : saved.islands) writeIsland(world, i, to);
     to.u32(engine);
     to.u32(uint32_t(engineBytes.size()));
     bytes.insert(bytes.end(), engineBytes.begin(), engineBytes.end());

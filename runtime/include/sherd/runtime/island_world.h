@@ -74,6 +74,10 @@ class BodyTable {
     /// An island is about to come apart or to change, and what became of it, itself first.
     virtual void beforeSplit(uint32_t /*island*/) {}
     virtual void afterSplit(uint32_t /*island*/, std::span<const uint32_t> /*islands*/) {}
+
+    /// Somebody wants to know where islands are: if the engine has not told it after every substep
+    /// (IslandWorld::moveTo, stayPut), it does now.
+    virtual void tellMoves() {}
 };
 
 /// Objects, their islands and what breaks them, over whatever engine moves the bodies. It measures
@@ -94,13 +98,16 @@ class IslandWorld {
         Vector<uint32_t> fragments;              ///< that stand, ascending
         RigidPose frame;                         ///< body to object
         double bornAt = 0;                       ///< s
-        RigidPose pose, previous;                ///< of the object's frame, now and a substep ago
         double mass = 0;                         ///< kg, fixed or not
         double keptAt = -HUGE_VAL;               ///< s; when the game last said that it stays
         double fadingSince = HUGE_VAL;           ///< s; infinite: it does not
         RemovalReason why = RemovalReason::age;  ///< it fades
 
         [[nodiscard]] bool isFading() const { return fadingSince < HUGE_VAL; }
+    };
+    /// Of an island's object frame, now and a substep ago.
+    struct Places {
+        RigidPose now, before;
     };
     /// What the game puts on a part of an object that stands.
     struct Load {
@@ -145,13 +152,10 @@ class IslandWorld {
     void moveTo(uint32_t island, const RigidPose& pose);
     /// Asks the engine where the island is.
     void follow(uint32_t island);
-    void stayPut(uint32_t island) {
-        islands_[island].previous = islands_[island].pose;
-        poses_.noteMoved(islands_[island].object);
-    }
-    std::span<const FragmentPose> poses() { return poses_.list(*this); }
+    void stayPut(uint32_t island);
+    std::span<const FragmentPose> poses();
     /// The runs of `poses` that are not what they were when this was called last.
-    std::span<const Range> changedPoses() { return poses_.takeChanges(*this); }
+    std::span<const Range> changedPoses();
 
     /// Below it no hit does anything to any object there ever was, J.
     [[nodiscard]] float leastEnergy() const { return leastEnergy_; }
@@ -208,8 +212,8 @@ class IslandWorld {
         bool isFixed = false, isAnchored = false;
         double bornAt = 0;
         double fadingSince = HUGE_VAL;
-        RigidPose pose, previous;  ///< of the object's frame
-        BodyMotion motion;         ///< of its body, which is put there to the bit
+        Places places;
+        BodyMotion motion;  ///< of its body, which is put there to the bit
     };
     /// In place of what the object was. Fires nothing. The islands must share out what stands.
     void replace(uint32_t object, Structure&& structure, Vector<SavedIsland>&& islands);
@@ -243,6 +247,11 @@ class IslandWorld {
     [[nodiscard]] const Object& object(uint32_t index) const { return objects_[index]; }
     [[nodiscard]] std::span<const Island> islands() const { return islands_; }
     [[nodiscard]] const Island& island(uint32_t index) const { return islands_[index]; }
+    /// Valid until the next call that is not const, or a substep.
+    [[nodiscard]] const Places& placesOf(uint32_t island) const {
+        bodies_.tellMoves();
+        return places_[island];
+    }
     [[nodiscard]] const Object& objectOf(uint32_t island) const {
         return objects_[islands_[island].object];
     }
@@ -253,7 +262,7 @@ class IslandWorld {
     [[nodiscard]] BodyMotion motionOf(uint32_t island) const { return bodies_.motion(island); }
 
   private:
-    uint32_t takeIsland();
+    uint32_t takeIsland(const Places& places);
     [[nodiscard]] IslandBody describe(uint32_t island) const;
     [[nodiscard]] uint32_t fragmentNear(uint32_t island, const glm::vec3& point) const;
     void create(IslandBody body, const RigidPose* bodyPose = nullptr);
@@ -280,6 +289,7 @@ class IslandWorld {
     Vector<Object> objects_;
     Vector<uint32_t> freeObjects_;
     Vector<Island> islands_;
+    Vector<Places> places_;  ///< per island; what the engine has not told yet is missing
     Vector<uint32_t> freeIslands_;
     uint32_t islandCount_ = 0;
 
