@@ -3,6 +3,8 @@
 #include <LinearMath/btAlignedAllocator.h>
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 
 #include "impact/bullet_world.h"
@@ -161,4 +163,32 @@ TEST_CASE("Bullet takes no more memory for a break than when the same is done by
     }
     CHECK(byHand > 0);
     CHECK(ours <= byHand);
+}
+
+TEST_CASE("bodies lie one behind the other, and places of those that are gone are used again") {
+    BulletWorld bullet;
+    CountingMemory memory;
+    WorldOptions options;
+    options.allocator = &memory;
+    DestructionWorld destruction(bullet.world, options);
+    const auto asset = makeBox();
+    std::vector<ObjectId> objects;
+    std::vector<std::uintptr_t> places;
+    for (int i = 0; i < 500; ++i) {
+        objects.push_back(destruction.spawn(asset, at(2 * float(i), 0, 0)).value());
+        places.push_back(std::uintptr_t(destruction.body(objects.back())));
+        CHECK(places.back() % 64 == places.front() % 64);
+    }
+    size_t behind = 0;
+    for (size_t i = 1; i < places.size(); ++i)
+        if (places[i] - places[i - 1] == places[1] - places[0]) ++behind;
+    CHECK(behind > 480);
+    for (const ObjectId object : objects) REQUIRE(destruction.remove(object));
+    const uint64_t before = memory.count();
+    for (int i = 0; i < 500; ++i) {
+        const ObjectId again = destruction.spawn(asset, at(2 * float(i), 0, 0)).value();
+        const auto place = std::uintptr_t(destruction.body(again));
+        CHECK(std::find(places.begin(), places.end(), place) != places.end());
+    }
+    CHECK(memory.count() == before);
 }

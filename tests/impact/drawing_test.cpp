@@ -94,6 +94,24 @@ TEST_CASE("an object whose centre of mass is off its origin is drawn where it wa
     CHECK((body - btVector3(4, 5, 8)).length() < 1e-5F);
 }
 
+TEST_CASE("what stands fixed is drawn where it was spawned, to the bit") {
+    BulletWorld bullet;  // which rounds the attitude of what could move anew in every step
+    DestructionWorld destruction(bullet.world);
+    RigidPose pose = at(4.1F, -5.3F, 6.7F);
+    pose.rotation = glm::normalize(glm::quat(0.9F, 0.1F, 0.3F, 0.2F));
+    SpawnOptions options;
+    options.dynamic = false;
+    (void)destruction.spawn(makeBox({.center = {0, 2, 0}}), pose, options).value();
+    for (int i = 0; i < 4; ++i) {
+        const FragmentPose drawn = destruction.poses()[0];
+        CHECK(drawn.pose.translation == pose.translation);
+        CHECK(drawn.pose.rotation == pose.rotation);
+        CHECK(drawn.previous.translation == pose.translation);
+        CHECK(drawn.previous.rotation == pose.rotation);
+        for (int step = 0; step <= i; ++step) bullet.step();
+    }
+}
+
 TEST_CASE("poses are listed by object, then by fragment") {
     BulletWorld bullet;
     DestructionWorld destruction(bullet.world);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstring>
+#include <random>
+#include <utility>
 
 #include "impact/bullet_world.h"
 
@@ -67,6 +70,69 @@ TEST_CASE("whoever copies only the poses that have changed has them all, through
         if (i % 3 == 0) mirror.follow(destruction);  // not every substep is drawn
     }
     CHECK(destruction.poses().size() > 8);
+}
+
+namespace {
+
+/// What is drawn and saved of a scene in which objects fall, are hit, come to rest, fade and go,
+/// after each of its substeps that is `asked` for.
+std::vector<std::pair<std::vector<FragmentPose>, std::vector<uint8_t>>> play(
+    const std::vector<bool>& asked) {
+    BulletWorld bullet(btVector3(0, -10, 0));
+    bullet.addGround(0);
+    WorldOptions options;
+    options.debris.lifetime = 1;
+    options.debris.fade = 0.5F;
+    DestructionWorld destruction(bullet.world, options);
+    static const auto asset =
+        makeBox({.level2 = {2, 2, 2}, .toughness = 5, .center = {0, 0.1F, 0}});
+    std::vector<ObjectId> objects;
+    const auto spawn = [&](const RigidPose& pose) {
+        objects.push_back(destruction.spawn(asset, pose).value());
+    };
+    RigidPose turned = at(1.5F, 0.9F, 0);
+    turned.rotation = glm::normalize(glm::quat(0.9F, 0.1F, 0.3F, 0.2F));
+    spawn(at(0, 0.4F, 0));
+    spawn(turned);
+    std::vector<std::pair<std::vector<FragmentPose>, std::vector<uint8_t>>> seen;
+    for (size_t i = 0; i < asked.size(); ++i) {
+        if (i == 60) bullet.addBall(0.2F, 100, btVector3(-3, 0.6F, 0.1F), btVector3(20, 0, 0));
+        if (i == 75) spawn(at(-3, 0.4F, 2));
+        if (i == 90) (void)destruction.breakFragment(objects[1]);
+        bullet.step();
+        if (!asked[i]) continue;
+        const auto poses = destruction.poses();
+        seen.emplace_back(std::vector(poses.begin(), poses.end()),
+                          destruction.save(objects.back()));
+    }
+    return seen;
+}
+
+}  // namespace
+
+TEST_CASE("who asks for poses now and then is told what who asks after every substep is told") {
+    constexpr size_t kSteps = 240;
+    const auto always = play(std::vector<bool>(kSteps, true));
+    REQUIRE(always.size() == kSteps);
+    for (uint32_t seed = 1; seed <= 6; ++seed) {
+        CAPTURE(seed);
+        std::mt19937 random(seed);
+        std::vector<bool> asked(kSteps);
+        for (size_t i = 0; i < kSteps; ++i) asked[i] = random() % (seed + 1) == 0;
+        const auto seldom = play(asked);
+        size_t next = 0, different = 0;
+        for (size_t i = 0; i < kSteps; ++i) {
+            if (!asked[i]) continue;
+            const auto& [poses, saved] = seldom[next++];
+            different += std::equal(poses.begin(), poses.end(), always[i].first.begin(),
+                                    always[i].first.end(), isSame) &&
+                                 saved == always[i].second
+                             ? 0
+                             : 1;
+        }
+        CHECK(next > 10);
+        CHECK(different == 0);
+    }
 }
 
 TEST_CASE("what does not move is not copied, and what stops is copied once more") {

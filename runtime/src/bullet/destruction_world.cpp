@@ -2,6 +2,7 @@
 #include "sherd/runtime/bullet/destruction_world.h"
 
 #include <algorithm>
+#include <memory_resource>
 #include <optional>
 
 #include "bullet/adviser.h"
@@ -11,16 +12,9 @@
 #include "core/finite.h"
 
 namespace sherd {
-namespace {
-
-/// Large lists are kept, too. Few at once, or most of what is kept would never be used; but not so
-/// few that Bullet's own things, which it makes between them, lie far apart.
-constexpr std::pmr::pool_options kPools{64, size_t{1} << 22};
-
-}  // namespace
 
 DestructionWorld::Impl::Impl(btDynamicsWorld& bullet, const WorldOptions& options)
-    : memory(kPools, options.allocator ? options.allocator : std::pmr::new_delete_resource()),
+    : memory(options.allocator ? options.allocator : std::pmr::new_delete_resource()),
       making(std::in_place, memory),
       world(bullet),
       settings(options),

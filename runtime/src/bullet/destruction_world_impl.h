@@ -4,12 +4,12 @@
 #include <BulletDynamics/Dynamics/btActionInterface.h>
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 
-#include <memory_resource>
 #include <optional>
 #include <vector>
 
 #include "bullet/breaker.h"
 #include "bullet/bullet_bodies.h"
+#include "bullet/world_memory.h"
 #include "core/debris.h"
 #include "core/report.h"
 #include "sherd/runtime/bullet/destruction_world.h"
@@ -65,7 +65,7 @@ class DestructionWorld::Impl final : public btActionInterface {
         return islands.isAlive(object) ? islands.findIsland(object.index, fragment) : UINT32_MAX;
     }
 
-    std::pmr::unsynchronized_pool_resource memory;
+    WorldMemory memory;
     std::optional<MemoryScope> making;  ///< what follows
 
     btDynamicsWorld& world;
