@@ -2,6 +2,7 @@
 // Bodies that are the game's: adopted, taken away, deleted.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -373,6 +374,81 @@ TEST_CASE("a body of Sherd's that the game deletes is noticed, and what it stood
         CHECK(destruction.bodyCount() == 0);
     }
     CHECK(bullet.world.getNumCollisionObjects() == 0);
+}
+
+TEST_CASE("what takes the number of a body that the game has deleted takes nothing else of it") {
+    BulletWorld bullet(btVector3(0, -10, 0));
+    DestructionWorld destruction(bullet.world);
+    const auto asset = makeBox();
+    const auto isAt = [&](ObjectId object, float x) {
+        const auto poses = destruction.poses();
+        const auto found = std::find_if(poses.begin(), poses.end(),
+                                        [&](const auto& pose) { return pose.object == object; });
+        REQUIRE(found != poses.end());
+        CHECK(found->pose.translation.x == x);
+        CHECK(found->previous.translation.x == x);
+        return true;
+    };
+    // Nobody asks for poses meanwhile.
+    ObjectId object = destruction.spawn(asset, at(0, 5, 0)).value();
+    for (int i = 0; i < 3; ++i) bullet.step();
+    btRigidBody* body = destruction.body(object);
+    bullet.world.removeRigidBody(body);
+    delete body;
+    object = destruction.spawn(asset, at(100, 0, 0)).value();
+    CHECK(destruction.body(object)->getWorldTransform().getOrigin().x() == 100);
+    CHECK(isAt(object, 100));
+    REQUIRE(destruction.remove(object));
+
+    GamesBody first(bullet.world, 1000, btVector3(50, 0, 0));
+    (void)destruction.adopt(*first.body, asset).value();
+    for (int i = 0; i < 3; ++i) bullet.step();
+    first.drop();
+    GamesBody next(bullet.world, 1000, btVector3(70, 0, 0));
+    object = destruction.adopt(*next.body, asset).value();
+    CHECK(isAt(object, 70));
+    REQUIRE(destruction.remove(object));
+
+    // Two pieces that hang together have a shape of their own.
+    const auto row = makeBox({.level1 = {3, 1, 1}});
+    for (int i = 0; i < 2; ++i) {
+        object = destruction.spawn(row, at(0, 0, 10.0F * float(i))).value();
+        CHECK(destruction.find(*destruction.body(object), 0)->fragment == 0);
+        AreaDamage cut;
+        cut.a = {i == 0 ? -0.17F : 0.17F, 0, 10.0F * float(i)};
+        cut.radius = 0.1F;
+        cut.fluence = 1e9F;
+        REQUIRE(destruction.damage(object, cut).value() == 1);
+        body = destruction.body(object, 2);
+        REQUIRE(body == destruction.body(object, i == 0 ? 3 : 1));
+        CHECK(destruction.find(*body, 0)->fragment == (i == 0 ? 2 : 1));
+        btVector3 low, high;
+        body->getAabb(low, high);
+        CHECK((high.x() + low.x()) * (i == 0 ? 1.0F : -1.0F) > 0.2F);
+        for (uint32_t f = 1; i == 0 && f <= 3; ++f) {
+            body = destruction.body(object, f);
+            if (!body) continue;
+            bullet.world.removeRigidBody(body);
+            delete body;
+        }
+    }
+}
+
+TEST_CASE("a world ends quietly after the game has deleted an adopted body") {
+    BulletWorld bullet;
+    Listener listener;
+    GamesBody games(bullet.world), kept(bullet.world, 1000, btVector3(5, 0, 0));
+    {
+        DestructionWorld destruction(bullet.world, with(listener));
+        const auto asset = makeBox();
+        (void)destruction.adopt(*games.body, asset).value();
+        (void)destruction.adopt(*kept.body, asset).value();
+        bullet.step();
+        games.drop();
+    }
+    CHECK(listener.gone == 0);  // there is no world any more that could be asked
+    CHECK(kept.body->getUserIndex3() == 77);
+    CHECK(kept.body->isInWorld());
 }
 
 TEST_CASE("a body of Sherd's that the game takes out may break meanwhile, and come in again") {

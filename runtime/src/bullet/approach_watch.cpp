@@ -51,7 +51,7 @@ void ApproachWatch::note(const OwnBody& own, const btCollisionObject& other,
     // A pair may be asked about again before the step, by a game that looks for collisions itself:
     // then what was noted of it is old, also when it is slow by now.
     const bool matters = kCareful * mostEnergy(own, other) >= double(leastEnergy);
-    if (!matters && own.notedIn() != round_) return;
+    if (!matters && own.notedIn().load(std::memory_order_relaxed) != round_) return;
     // Not all contacts of what moves continuously, or of a ghost, are kept with the pair.
     const btRigidBody* body = btRigidBody::upcast(&other);
     const bool isReadWhole = own.getCcdSquareMotionThreshold() > 0 ||
@@ -62,7 +62,7 @@ void ApproachWatch::note(const OwnBody& own, const btCollisionObject& other,
         sawAll_ = false;
         return;
     }
-    own.notedIn() = round_;
+    own.notedIn().store(round_, std::memory_order_relaxed);
     approaches_.push_back({&own, &other, own.getWorldArrayIndex(), other.getWorldArrayIndex(),
                            uint32_t(approaches_.size()), matters, motionNow(own),
                            motionNow(other)});

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/report.h"
+
 #if __has_include(<sanitizer/asan_interface.h>)
 #include <sanitizer/asan_interface.h>
 #else
@@ -27,6 +29,7 @@ void makeRoom(List& list, size_t count) {
 BodyPool::BodyPool(size_t size) : size_((size + kLine - 1) / kLine * kLine) {}
 
 BodyPool::~BodyPool() {
+    (void)SHERD_ASSERT(free_.size() == count_);
     for (const Run& run : runs_) {
         ASAN_UNPOISON_MEMORY_REGION(run.first, run.bytes);
         runs_.get_allocator().memory().deallocate(run.first, run.bytes, kLine);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace sherd {
 
@@ -15,25 +16,25 @@ class BodyTrack {
     /// Who cares knows that it is there.
     void startAt(const btTransform& place) {
         places_[latest_] = place;
-        isStill_ = false;
         forget();
     }
-    /// There is nothing to tell.
+    /// There is nothing to tell of what was noted.
     void forget() {
         moves_ = 0;
-        isUntold_ = false;
+        isStill_ = false;
     }
 
-    /// A substep is over. Returns whether there was nothing to tell before, and now is.
+    /// A substep is over. Returns whether `tell` must be called that need not have been before.
     bool note(const btTransform& now) {
-        const bool wasStill = isStill_, wasUntold = isUntold_;
+        const bool wasStill = isStill_;
         isStill_ = now == places_[latest_];
         if (isStill_ && wasStill) return false;
-        latest_ ^= 1;
-        places_[latest_] = now;
-        if (!isStill_) moves_ = uint8_t(std::min(moves_ + 1, 2));
-        isUntold_ = true;
-        return !wasUntold;
+        if (!isStill_) {
+            latest_ ^= 1;
+            places_[latest_] = now;
+            moves_ = uint8_t(std::min(moves_ + 1, 2));
+        }
+        return !std::exchange(isWaiting_, true);
     }
     /// It was where it had been, in the last substep noted.
     [[nodiscard]] bool isStill() const { return isStill_; }
@@ -42,19 +43,19 @@ class BodyTrack {
     /// substep, by `stay()`.
     template <class Move, class Stay>
     void tell(const Move& move, const Stay& stay) {
-        if (!isUntold_) return;
+        if (!std::exchange(isWaiting_, false)) return;
         if (moves_ > 1) move(places_[latest_ ^ 1]);
         if (moves_ > 0) move(places_[latest_]);
         if (isStill_) stay();
-        forget();
+        moves_ = 0;
     }
 
   private:
-    bool isStill_ = false;  ///< the last two are the same
-    bool isUntold_ = false;
-    uint8_t moves_ = 0;  ///< that nobody was told of; 2 stands for more
+    bool isStill_ = false;    ///< since the latest place was noted
+    bool isWaiting_ = false;  ///< for `tell`
+    uint8_t moves_ = 0;       ///< that nobody was told of; 2 stands for more
     uint8_t latest_ = 0;
-    btTransform places_[2];
+    btTransform places_[2];  ///< the last two that differ
 };
 
 }  // namespace sherd

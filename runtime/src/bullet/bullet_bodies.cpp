@@ -14,16 +14,19 @@
 
 namespace sherd {
 
+/// Nobody is there any more who could be told of those that have gone.
 BulletBodies::~BulletBodies() {
-    noticeGone();
-    for (uint32_t i = 0; i < bodies_.size(); ++i) {
-        Body& slot = bodies_[i];
-        if (!slot.body) continue;
-        if (isAdopted(i))
-            letGo(i);
-        else if (slot.body->isInWorld())
-            world_.removeRigidBody(slot.body.get());
+    while (!adopted_.empty()) {
+        const uint32_t island = adopted_.back();
+        if (isStillThere(island)) {
+            letGo(island);
+        } else {
+            (void)bodies_[island].body.release();
+            adopted_.pop_back();
+        }
     }
+    for (const Body& slot : bodies_)
+        if (slot.body && slot.body->isInWorld()) world_.removeRigidBody(slot.body.get());
 }
 
 std::span<const uint32_t> BulletBodies::fragmentsOf(uint32_t island) const {

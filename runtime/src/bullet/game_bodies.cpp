@@ -61,6 +61,7 @@ void BulletBodies::noticeGone() {
     for (size_t i = adopted_.size(); i-- > 0;) {
         const uint32_t island = adopted_[i];
         if (isStillThere(island)) continue;
+        quiet_.forget(island);
         (void)bodies_[island].body.release();
         bodies_[island].body.get_deleter().isGames = false;
         adopted_.erase(adopted_.begin() + std::ptrdiff_t(i));
@@ -80,6 +81,8 @@ void BulletBodies::forgetDeleted(uint32_t island) {
 }
 
 void BulletBodies::lose(uint32_t island) {
+    tellMoves();  // its own are of no use to what has its number next, and neither is its shape
+    dropShape(std::move(bodies_[island].shape));
     const ObjectId object = islands_->idOf(islands_->island(island).object);
     islands_->lose(island);
     tell([&](GameListener& listener) { listener.onBodyGone(object); });

@@ -3,6 +3,7 @@
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <new>
@@ -56,34 +57,39 @@ class OwnBody final : public btRigidBody {
     void disown() { isDisowned_ = true; }
 
     [[nodiscard]] uint32_t island() const { return island_; }
-    [[nodiscard]] bool isWatchedAs(Watch why) const { return (watches_ & uint8_t(why)) != 0; }
+    [[nodiscard]] bool isWatchedAs(Watch why) const { return (watches() & uint8_t(why)) != 0; }
     void watch(Watch why, bool isOn) {
-        watches_ = uint8_t(isOn ? watches_ | uint8_t(why) : watches_ & ~uint8_t(why));
+        const auto bit = uint8_t(why);
+        watches_.store(uint8_t(isOn ? watches() | bit : watches() & ~bit), kRelaxed);
         keepWatch();
     }
     /// A game that lets a pair collide again turns Bullet's question off. Returns false if it was.
     bool keepWatch() {
         const bool was = m_checkCollideWith != 0;
-        const bool isOn = watches_ != 0 || getNumObjectsWithoutCollision() > 0;
+        const bool isOn = watches() != 0 || getNumObjectsWithoutCollision() > 0;
         m_checkCollideWith = isOn ? 1 : 0;
         return was || !isOn;
     }
 
     /// The round of questions in which an ApproachWatch last noted something of it.
-    uint64_t& notedIn() const { return notedIn_; }
+    std::atomic<uint64_t>& notedIn() const { return notedIn_; }
 
     bool checkCollideWithOverride(const btCollisionObject* other) const override {
         if (!btRigidBody::checkCollideWithOverride(other)) return false;
-        if (!isDisowned_ && watches_ != 0) owner_->onNear(*this, *other);
+        if (!isDisowned_ && watches() != 0) owner_->onNear(*this, *other);
         return true;
     }
 
   private:
+    static constexpr auto kRelaxed = std::memory_order_relaxed;
+    [[nodiscard]] uint8_t watches() const { return watches_.load(kRelaxed); }
+
     BodyOwner* owner_;
     uint32_t island_;
-    uint8_t watches_ = 0;
     bool isDisowned_ = false;
-    mutable uint64_t notedIn_ = 0;
+    // Bullet may ask on several threads, of which one wakes what another asks about.
+    std::atomic<uint8_t> watches_{0};
+    mutable std::atomic<uint64_t> notedIn_{0};
 };
 
 /// Deletes Sherd's bodies, and lets go those of the game.

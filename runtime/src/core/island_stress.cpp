@@ -48,7 +48,7 @@ void IslandWorld::takeUp(uint32_t index) {
         for (uint32_t f = 0; f < stand.count; ++f) parts_.push_back(stand.first + f);
     }
     stress_.reset(*probe_, parts_, object.damage);
-    const glm::quat toObject = glm::conjugate(placesOf(stressed_).now.rotation);
+    const glm::quat toObject = glm::conjugate(placesOf(index).now.rotation);
     for (const Load& load : object.loads) {
         const uint32_t leaf = asset.graph().leavesOf(load.fragment).first;
         stress_.addForce(probe_->fragmentAt(leaf), toObject * load.force,

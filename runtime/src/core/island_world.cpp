@@ -23,13 +23,14 @@ IslandWorld::IslandWorld(BodyTable& bodies, uint32_t maxPendingEvents)
 IslandWorld::~IslandWorld() = default;
 
 uint32_t IslandWorld::takeIsland(const Places& places) {
+    auto slot = uint32_t(islands_.size());
     if (freeIslands_.empty()) {
+        places_.resize(slot + 1);  // first: there must be enough of them, also where memory ends
         islands_.emplace_back();
-        places_.push_back(places);
-        return uint32_t(islands_.size() - 1);
+    } else {
+        slot = freeIslands_.back();
+        freeIslands_.pop_back();
     }
-    const uint32_t slot = freeIslands_.back();
-    freeIslands_.pop_back();
     places_[slot] = places;
     return slot;
 }
@@ -225,7 +226,7 @@ std::span<const uint32_t> IslandWorld::split(uint32_t index, BreakEvent event) {
             IslandBody body = describe(slot);
             const RigidPose pose = places.now * body.frame;
             body.motion = motionAt(pose.translation);
-            create(body);
+            create(body, &pose);
             body.motion.pose = pose;
             addIslandEvent(body, from);
             split_.push_back(slot);

@@ -51,7 +51,7 @@ void PoseList::append(const IslandWorld& world, uint32_t object) {
     if (!std::is_sorted(members_.begin(), members_.end()))
         std::sort(members_.begin(), members_.end());
     for (const auto& [fragment, i] : members_) {
-        const IslandWorld::Places& places = world.placesOf(i);
+        const IslandWorld::Places& places = world.toldPlacesOf(i);
         poses_.push_back({id, &asset.original(), fragment, places.now, places.before, asset.scale(),
                           world.fadeOf(world.island(i))});
         islandOf_.push_back(i);
@@ -64,7 +64,7 @@ std::span<const FragmentPose> PoseList::list(const IslandWorld& world) {
         isMoved_[object] = 0;
         if (object >= listed_) continue;
         for (size_t p = firstOf_[object]; p < firstOf_[object + 1]; ++p) {
-            const IslandWorld::Places& places = world.placesOf(islandOf_[p]);
+            const IslandWorld::Places& places = world.toldPlacesOf(islandOf_[p]);
             FragmentPose& pose = poses_[p];
             const float fade = world.fadeOf(world.island(islandOf_[p]));
             if (isSame(pose.pose, places.now) && isSame(pose.previous, places.before) &&

@@ -75,8 +75,8 @@ class BodyTable {
     virtual void beforeSplit(uint32_t /*island*/) {}
     virtual void afterSplit(uint32_t /*island*/, std::span<const uint32_t> /*islands*/) {}
 
-    /// Somebody wants to know where islands are: if the engine has not told it after every substep
-    /// (IslandWorld::moveTo, stayPut), it does now.
+    /// Somebody wants to know where islands are: what the engine has not told after every substep
+    /// (IslandWorld::moveTo, stayPut) it tells now, each move once.
     virtual void tellMoves() {}
 };
 
@@ -252,6 +252,8 @@ class IslandWorld {
         bodies_.tellMoves();
         return places_[island];
     }
+    /// The same for who knows that everything has been told.
+    [[nodiscard]] const Places& toldPlacesOf(uint32_t island) const { return places_[island]; }
     [[nodiscard]] const Object& objectOf(uint32_t island) const {
         return objects_[islands_[island].object];
     }

@@ -61,9 +61,10 @@ struct WorldOptions {
     /// and those with constraints, are left alone, and so is everything without gravity.
     float freezeAfter = 0.5F;
     DebrisOptions debris;  ///< which pieces go by themselves, and how
-    /// Where all that grows with objects, islands and contacts gets its memory, in blocks that are
-    /// kept for what comes later; it must outlive the DestructionWorld. Null: the heap. Assets and
-    /// their shapes, which worlds share, and what Bullet takes for bodies are not among it.
+    /// Where all that grows with objects, islands and contacts gets its memory, bodies among it, in
+    /// blocks that are kept for what comes later; it must outlive the DestructionWorld. Null: the
+    /// heap. Assets and their shapes, which worlds share, and what Bullet takes for the bodies in
+    /// its world are not among it.
     std::pmr::memory_resource* allocator = nullptr;
     /// Events of each kind kept until they are asked for; later ones are dropped. >= 1
     uint32_t maxPendingEvents = 65536;
