@@ -159,18 +159,19 @@ TEST_CASE("when the lowest brick of a column is taken, nothing floats half a sec
 }
 
 TEST_CASE("a column on something of the game's falls when that goes, sinks or slides away") {
-    for (const int way : {0, 1, 2}) {
+    for (const int way : {0, 1, 2, 3}) {  // 3: it was adopted, and is deleted
         BulletWorld bullet(btVector3(0, -10, 0));
         bullet.addGround(0);
         btRigidBody& table = bullet.add(std::make_unique<btBoxShape>(btVector3(0.5F, 0.5F, 0.5F)),
                                         0, btVector3(0, 0.5F, 0), btVector3(0, 0, 0));
         // Others, so that places in Bullet's world change.
         btRigidBody& other = bullet.addBall(0.1F, 1, btVector3(9, 0.1F, 0), btVector3(0, 0, 0));
-        if (way > 0) {
+        if (way == 1 || way == 2) {
             table.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
             table.setActivationState(DISABLE_DEACTIVATION);
         }
         DestructionWorld destruction(bullet.world, freezing());
+        if (way == 3) REQUIRE(destruction.adopt(table, makeBox()));
         const ObjectId column = destruction.spawn(makeBox(kThinColumn), at(0, 2, 0)).value();
         REQUIRE(destruction.breakAll(column));
         for (int i = 0; i < 90; ++i) frame(bullet);
@@ -179,11 +180,13 @@ TEST_CASE("a column on something of the game's falls when that goes, sinks or sl
         frame(bullet);
         CHECK(destruction.frozenCount() == 10);
         if (way == 0) bullet.world.removeRigidBody(&table);
+        if (way == 3) bullet.take(table);
         for (int i = 0; i < 60; ++i) {
-            btTransform place = table.getWorldTransform();
-            if (way == 1) place.getOrigin() += btVector3(0, -0.002F, 0);  // 12 cm/s
-            if (way == 2) place.getOrigin() += btVector3(0.15F, 0, 0);
-            if (way > 0) table.setWorldTransform(place);
+            // 12 cm/s down, or 9 m/s aside
+            const btVector3 move = way == 1 ? btVector3(0, -0.002F, 0) : btVector3(0.15F, 0, 0);
+            if (way == 1 || way == 2)
+                table.setWorldTransform(btTransform(table.getWorldTransform().getBasis(),
+                                                    table.getWorldTransform().getOrigin() + move));
             frame(bullet);
             if (i != 30 && i != 59) continue;
             const float least = way == 1 ? 0.002F * float(i) - 0.03F : 0.1F;
