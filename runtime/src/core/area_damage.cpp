@@ -63,9 +63,11 @@ void applyArea(Structure& structure, std::span<const uint32_t> fragments, const 
     result.clear();
     const auto deal = [&](uint32_t b) {
         const BondGraph::Bond& bond = graph.bond(b);
+        const float share = shareAt(damage, bond.centroid);
+        if (!(share > 0) || structure.isBroken(b)) return;
         const uint32_t level = asset.fragment(bond.parting).level;
-        if (structure.isBroken(b) || level >= options.maxLevel) return;
-        float fluence = damage.fluence * shareAt(damage, bond.centroid);
+        if (level >= options.maxLevel) return;
+        float fluence = damage.fluence * share;
         if (damage.shear != glm::vec3(0.0F)) {
             const float across = glm::dot(damage.shear, bond.normal);
             fluence *= std::sqrt(std::max(1 - across * across, 0.0F));
@@ -87,9 +89,11 @@ void applyArea(Structure& structure, std::span<const uint32_t> fragments, const 
     };
     for (const uint32_t fragment : fragments) {
         const Range leaves = graph.leavesOf(fragment);
-        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf)
+        for (uint32_t leaf = leaves.first; leaf < leaves.first + leaves.count; ++leaf) {
+            // Once: anchors are beyond all leaves.
             for (const BondGraph::Edge& edge : graph.edgesOf(leaf))
-                if (graph.bond(edge.bond).a == leaf) deal(edge.bond);
+                if (edge.other > leaf) deal(edge.bond);
+        }
     }
     for (const uint32_t b : result.bonds)
         if (graph.bond(b).b != BondGraph::kWorld)

@@ -146,6 +146,22 @@ void IslandWorld::create(IslandBody body, const RigidPose* bodyPose) {
     poses_.noteRegrouped(island.object);
 }
 
+/// What may hang together no more.
+std::span<const uint32_t> IslandWorld::disturbed(const Structure& structure) {
+    disturbed_.clear();
+    for (const uint32_t b : hit_.bonds) {
+        const BondGraph::Bond& bond = structure.graph().bond(b);
+        disturbed_.push_back(structure.fragmentAt(bond.a));
+        if (bond.b != BondGraph::kWorld) disturbed_.push_back(structure.fragmentAt(bond.b));
+    }
+    for (const uint32_t opened : hit_.opened) {
+        const Range children = structure.asset().fragment(opened).children;
+        for (uint32_t c = children.first; c < children.first + children.count; ++c)
+            if (structure.stands(c)) disturbed_.push_back(c);
+    }
+    return disturbed_;
+}
+
 IslandWorld::Change IslandWorld::regroup(uint32_t index, bool isLimited) {
     Island& island = islands_[index];
     const Structure& structure = *objects_[island.object].structure;
@@ -162,7 +178,7 @@ IslandWorld::Change IslandWorld::regroup(uint32_t index, bool isLimited) {
         for (uint32_t c = 1; c < children.count; ++c) fragments.push_back(children.first + c);
     }
     if (change_ == Change::finer) std::sort(fragments.begin(), fragments.end());
-    groups_.find(structure, fragments);
+    groups_.findAround(structure, fragments, disturbed(structure));
     if (isLimited) keepToBudget(index);
     const auto groups = groups_.islands();
     if (groups.size() > 1 || island.isAnchored != groups[0].anchored) change_ = Change::apart;
@@ -178,9 +194,10 @@ void IslandWorld::keepToBudget(uint32_t index) {
     Vector<uint32_t>& fragments = islands_[index].fragments;
     for (uint32_t& fragment : fragments)
         fragment = structure.fragmentAt(structure.graph().leavesOf(fragment).first);
-    std::sort(fragments.begin(), fragments.end());
+    if (!std::is_sorted(fragments.begin(), fragments.end()))
+        std::sort(fragments.begin(), fragments.end());
     fragments.erase(std::unique(fragments.begin(), fragments.end()), fragments.end());
-    groups_.find(structure, fragments);
+    groups_.findAround(structure, fragments, disturbed(structure));
     if (hit_.opened.empty()) change_ = Change::none;
     if (structure.fragmentAt(structure.graph().leavesOf(hit_.struck).first) != hit_.struck)
         hit_.struck = structure.fragmentAt(structure.graph().leavesOf(hit_.struck).first);

@@ -173,7 +173,7 @@ class IslandWorld {
         finer,  ///< fragments that were opened gave way to their children
         apart,  ///< it comes apart, off its anchors or to new ones
     };
-    /// What the object's structure makes of the island now.
+    /// What the last strike has made of the island; after every strike that broke something.
     Change regroup(uint32_t island) { return regroup(island, true); }
     /// Carries out what the last `regroup`, of this island, found: every group but the heaviest
     /// becomes an island of its own, with the velocity its part had. Lists an event if the last
@@ -271,6 +271,7 @@ class IslandWorld {
     void removeIslands(uint32_t object);
     void forgetIsland(uint32_t island);
     void takeOut(uint32_t island);
+    std::span<const uint32_t> disturbed(const Structure& structure);
     Change regroup(uint32_t island, bool isLimited);
     void keepToBudget(uint32_t island);
     uint32_t dealTo(uint32_t island, const AreaDamage& damage, const glm::vec3& point,
@@ -298,6 +299,7 @@ class IslandWorld {
     HitSolver solver_;
     HitResult hit_;
     IslandFinder groups_;  ///< of the island regrouped last
+    Vector<uint32_t> disturbed_;
     Change change_ = Change::none;
     Vector<uint32_t> split_;
     struct Budget {

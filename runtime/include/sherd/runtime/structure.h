@@ -93,6 +93,13 @@ class IslandFinder {
     };
     /// Of these, all standing, ascending; bonds to others do not count.
     void find(const Structure& structure, std::span<const uint32_t> fragments);
+    /// The same of fragments that held together before something broke. `disturbed`: those at the
+    /// ends of bonds broken since, and what has come out of fragments opened since. Searches from
+    /// all of them at once until all but one have met or come to an end, so that the work goes with
+    /// the size of what comes off, but for listing (after Even and Shiloach, "An On-Line
+    /// Edge-Deletion Problem", 1981).
+    void findAround(const Structure& structure, std::span<const uint32_t> fragments,
+                    std::span<const uint32_t> disturbed);
 
     /// In the order of their first fragments.
     [[nodiscard]] std::span<const Island> islands() const { return islands_; }
@@ -102,13 +109,33 @@ class IslandFinder {
     }
 
   private:
-    void flood(const Structure& structure, uint32_t start, uint32_t sought);
+    struct Search {
+        uint32_t root;  ///< the search it has become part of, or itself
+        uint32_t next;  ///< the first that was reached and not looked at, or UINT32_MAX
+        uint32_t last;  ///< of these
+    };
+
+    void begin(const Structure& structure);
+    void flood(const Structure& structure, uint32_t start, uint32_t group);
+    void advance(const Structure& structure, uint32_t search);
+    void append(Search& search, uint32_t first, uint32_t last);
+    uint32_t rootOf(uint32_t search);
+    template <class GroupOf>
+    void shareOut(const Structure& structure, std::span<const uint32_t> fragments, uint32_t groups,
+                  const GroupOf& groupOf);
+    [[nodiscard]] uint32_t sought() const { return round_ - 1; }
+    [[nodiscard]] uint32_t found() const { return round_; }
 
     Vector<Island> islands_;
     Vector<uint32_t> fragments_;
     Vector<uint32_t> front_;  ///< those reached, in that order
-    Vector<uint32_t> state_;  ///< per fragment of the asset: the round it is sought, or found
-    Vector<uint32_t> label_;  ///< and the island it was found in
+    // Per fragment of the asset:
+    Vector<uint32_t> state_;  ///< the round it is sought, or found
+    Vector<uint32_t> label_;  ///< what it was found by, and then its island
+    Vector<uint32_t> after_;  ///< the next that its search looks at
+    Vector<Search> searches_;
+    Vector<uint32_t> active_;    ///< searches
+    Vector<uint32_t> numberOf_;  ///< per group: its island
     uint32_t round_ = 0;
 };
 
