@@ -57,9 +57,14 @@ double damageAndSplit(const std::shared_ptr<const Asset>& asset, HitSolver& solv
     hit.point = asset->fragment(1).centerOfMass;
     hit.energy = energy;
     hit.stress = 1e12F;
+    std::vector<uint32_t> ends;
+    ends.reserve(2 * structure.graph().bonds().size());
     const double time = milliseconds([&] {
         solver.apply(structure, hit, {}, result);
-        finder.find(structure, all);
+        for (const uint32_t b : result.bonds)
+            for (const uint32_t leaf : {structure.graph().bond(b).a, structure.graph().bond(b).b})
+                ends.push_back(structure.fragmentAt(leaf));
+        finder.findAround(structure, all, ends);
     });
     *islands = finder.islands().size();
     return time;
