@@ -99,10 +99,19 @@ TEST_CASE("triangles that cross or overlap share inside points, by however littl
 
 TEST_CASE("the count of crossings ends where triangles are piled up, and says so") {
     const std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    const std::vector<std::array<uint32_t, 3>> few(40, {0, 1, 2}), many(5000, {0, 1, 2});
-    CHECK(countCrossings(positions, few).pairs == 40 * 39 / 2);
-    CHECK(countCrossings(positions, few).complete);
-    CHECK_FALSE(countCrossings(positions, many).complete);
+    const std::vector<std::array<uint32_t, 3>> same(40, {0, 1, 2});
+    CHECK(countCrossings(positions, same).pairs == 40 * 39 / 2);
+    CHECK(countCrossings(positions, same).complete);
+    // One behind the other, aslant, so that each has to be tested against every other.
+    std::vector<glm::vec3> slices;
+    std::vector<std::array<uint32_t, 3>> many;
+    many.reserve(900);
+    for (uint32_t i = 0; i < 900; ++i) {
+        const float size = 1 + 1e-4F * float(i);
+        slices.insert(slices.end(), {{size, 0, 0}, {0, size, 0}, {0, 0, size}});
+        many.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    CHECK_FALSE(countCrossings(slices, many).complete);
     CHECK(countCrossings(positions, {}).pairs == 0);
 }
 

@@ -137,8 +137,8 @@ TEST_CASE("random solids bake with levels of lines, cuts and clusters in any ord
     size_t bakes = 0, pieces = 0;
     std::vector<uint32_t> seeds = propertySeeds(6'100'000, 24);
     // Walls between pieces that part last had faces without opposite (two); pieces had no volume;
-    // the skin was dented.
-    if (seeds.size() > 1) seeds.insert(seeds.end(), {6'100'204, 6'100'262, 6'101'029, 6'100'215});
+    // the skin was dented. Not under sanitizers, where each takes half a minute.
+    if (seeds.size() >= 24) seeds.insert(seeds.end(), {6'100'204, 6'100'262, 6'101'029, 6'100'215});
     for (const uint32_t seed : seeds) {
         CAPTURE(seed);
         Random random(seed);
