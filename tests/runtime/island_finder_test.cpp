@@ -75,12 +75,13 @@ TEST_CASE("after every hit, islands are what bonds that hold hold together") {
         // Children that nothing holds together come apart as soon as what they are in is open.
         if (seed % 2 == 0) std::erase_if(set.bonds, [&](const Bond&) { return random() % 2 == 0; });
         const auto asset = Asset::fromFractureSet(std::move(set)).value();
-        const auto [low, high] = asset->box(0);
+        const Asset::Box box = asset->box(0);
         const auto number = [&](float from, float to) {
             return std::uniform_real_distribution<float>(from, to)(random);
         };
         const auto place = [&] {
-            return glm::vec3(number(low.x, high.x), number(low.y, high.y), number(low.z, high.z));
+            const glm::vec3 &a = box.low, &b = box.high;
+            return glm::vec3(number(a.x, b.x), number(a.y, b.y), number(a.z, b.z));
         };
         test::StillBodies bodies;
         IslandWorld world(bodies);
