@@ -54,8 +54,10 @@ void IslandFinder::flood(const Structure& structure, uint32_t start, uint32_t gr
         front_.push_back(fragment);
     };
     reach(start);
-    for (size_t next = 0; next < front_.size(); ++next) {
-        for (const BondGraph::Edge& edge : graph.edgesOf(graph.leavesOf(front_[next]))) {
+    // It grows meanwhile.
+    size_t next = 0;
+    while (next < front_.size()) {
+        for (const BondGraph::Edge& edge : graph.edgesOf(graph.leavesOf(front_[next++]))) {
             if (edge.other == BondGraph::kWorld) continue;
             const uint32_t other = structure.fragmentAt(edge.other);
             if (state_[other] == sought() && !structure.isBroken(edge.bond)) reach(other);
