@@ -14,6 +14,14 @@ namespace {
 
 using nlohmann::json;
 
+/// Of four bytes each.
+template <class Word>
+std::vector<Word> wordsOf(std::span<const uint8_t> bytes) {
+    std::vector<Word> out(bytes.size() / sizeof(Word));
+    if (!out.empty()) std::memcpy(out.data(), bytes.data(), bytes.size());
+    return out;
+}
+
 }  // namespace
 
 void ExtensionReader::fail(ErrorCode code, std::string message, std::string where) {
@@ -93,9 +101,7 @@ std::span<const uint8_t> ExtensionReader::table(const json& object, const char* 
 std::vector<float> ExtensionReader::floats(const json& object, const char* key,
                                            const std::string& where, uint64_t count,
                                            uint32_t components) {
-    const auto bytes = table(object, key, where, kFloat, components, count);
-    std::vector<float> out(bytes.size() / 4);
-    if (!out.empty()) std::memcpy(out.data(), bytes.data(), bytes.size());
+    auto out = wordsOf<float>(table(object, key, where, kFloat, components, count));
     bool finite = true;
     for (const float value : out) finite = finite && std::abs(value) <= 3.4028234e38F;
     if (!finite)
@@ -106,10 +112,7 @@ std::vector<float> ExtensionReader::floats(const json& object, const char* key,
 std::vector<uint32_t> ExtensionReader::integers(const json& object, const char* key,
                                                 const std::string& where, uint64_t count,
                                                 uint32_t components) {
-    const auto bytes = table(object, key, where, kUnsignedInt, components, count);
-    std::vector<uint32_t> out(bytes.size() / 4);
-    if (!out.empty()) std::memcpy(out.data(), bytes.data(), bytes.size());
-    return out;
+    return wordsOf<uint32_t>(table(object, key, where, kUnsignedInt, components, count));
 }
 
 std::span<const uint8_t> ExtensionReader::stream(const json& object, const char* key,

@@ -15,7 +15,6 @@
 #include "sherd/formats/fracture_rules.h"
 
 namespace sherd {
-
 namespace {
 
 using nlohmann::json;
