@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <numeric>
-#include <random>
 #include <vector>
 
 #include "sherd/runtime/island_world.h"
 #include "support/box_fracture.h"
+#include "support/property.h"
 #include "support/still_bodies.h"
 
 using namespace sherd;
@@ -40,7 +40,6 @@ class Components {
 size_t wrongIslands(const IslandWorld& world, uint32_t object) {
     const Structure& structure = *world.object(object).structure;
     const Components components(structure);
-    std::vector<uint32_t> islandOf(structure.asset().fragmentCount(), UINT32_MAX);
     std::vector<uint32_t> seen;
     size_t wrong = 0, standing = 0;
     for (const uint32_t i : world.object(object).islands) {
@@ -69,15 +68,15 @@ TEST_CASE("after every hit, islands are what bonds that hold hold together") {
     uint32_t most = 0;
     for (uint32_t seed = 1; seed <= 16; ++seed) {
         CAPTURE(seed);
-        std::mt19937 random(seed);
+        test::Random random(seed);
         FractureSet set =
             test::makeBoxFracture({.size = {2, 1.6F, 1}, .level1 = {5, 4, 2}, .level2 = {2, 2, 2}});
         // Children that nothing holds together come apart as soon as what they are in is open.
-        if (seed % 2 == 0) std::erase_if(set.bonds, [&](const Bond&) { return random() % 2 == 0; });
+        if (seed % 2 == 0) std::erase_if(set.bonds, [&](const Bond&) { return random.oneIn(2); });
         const auto asset = Asset::fromFractureSet(std::move(set)).value();
         const Asset::Box box = asset->box(0);
         const auto number = [&](float from, float to) {
-            return std::uniform_real_distribution<float>(from, to)(random);
+            return float(random.in(double(from), double(to)));
         };
         const auto place = [&] {
             const glm::vec3 &a = box.low, &b = box.high;
@@ -90,10 +89,10 @@ TEST_CASE("after every hit, islands are what bonds that hold hold together") {
         for (int i = 0; i < 60; ++i) {
             world.allowBodies(seed % 3 == 0 ? 2 : UINT32_MAX);
             const auto& islands = world.object(object).islands;
-            const uint32_t island = islands[random() % islands.size()];
+            const uint32_t island = islands[random.below(uint32_t(islands.size()))];
             const auto& fragments = world.island(island).fragments;
-            const uint32_t fragment = fragments[random() % fragments.size()];
-            const uint32_t way = random() % 8;
+            const uint32_t fragment = fragments[random.below(uint32_t(fragments.size()))];
+            const uint32_t way = random.below(8);
             if (way < 3) {
                 ReportedHit hit;
                 hit.point = place();
@@ -109,9 +108,9 @@ TEST_CASE("after every hit, islands are what bonds that hold hold together") {
                 damage.fluence = number(0, 1e3F);
                 (void)world.dealArea(object, damage);
             } else if (way == 6) {
-                (void)world.breakFragment(object, fragment, random() % 2 == 0);
+                (void)world.breakFragment(object, fragment, random.oneIn(2));
             } else {
-                (void)world.pinFragment(object, fragment, random() % 3 > 0);
+                (void)world.pinFragment(object, fragment, !random.oneIn(3));
             }
             wrong += wrongIslands(world, object);
         }

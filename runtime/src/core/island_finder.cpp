@@ -7,8 +7,6 @@
 namespace sherd {
 namespace {
 
-constexpr uint32_t kNone = UINT32_MAX;
-
 /// By a bond to the world that is not broken, or a pin.
 bool isHeld(const Structure& structure, uint32_t fragment) {
     const BondGraph& graph = structure.graph();

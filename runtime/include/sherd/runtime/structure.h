@@ -109,9 +109,11 @@ class IslandFinder {
     }
 
   private:
+    static constexpr uint32_t kNone = UINT32_MAX;
+
     struct Search {
         uint32_t root;  ///< the search it has become part of, or itself
-        uint32_t next;  ///< the first that was reached and not looked at, or UINT32_MAX
+        uint32_t next;  ///< the first that was reached and not looked at, or kNone
         uint32_t last;  ///< of these
     };
 
