@@ -166,7 +166,8 @@ TEST_CASE("a column on something of the game's falls when that goes, sinks or sl
                                         0, btVector3(0, 0.5F, 0), btVector3(0, 0, 0));
         // Others, so that places in Bullet's world change.
         btRigidBody& other = bullet.addBall(0.1F, 1, btVector3(9, 0.1F, 0), btVector3(0, 0, 0));
-        if (way == 1 || way == 2) {
+        const bool isMoved = way == 1 || way == 2;
+        if (isMoved) {
             table.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
             table.setActivationState(DISABLE_DEACTIVATION);
         }
@@ -184,7 +185,7 @@ TEST_CASE("a column on something of the game's falls when that goes, sinks or sl
         for (int i = 0; i < 60; ++i) {
             // 12 cm/s down, or 9 m/s aside
             const btVector3 move = way == 1 ? btVector3(0, -0.002F, 0) : btVector3(0.15F, 0, 0);
-            if (way == 1 || way == 2)
+            if (isMoved)
                 table.setWorldTransform(btTransform(table.getWorldTransform().getBasis(),
                                                     table.getWorldTransform().getOrigin() + move));
             frame(bullet);

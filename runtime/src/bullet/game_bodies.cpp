@@ -61,7 +61,6 @@ void BulletBodies::noticeGone() {
     for (size_t i = adopted_.size(); i-- > 0;) {
         const uint32_t island = adopted_[i];
         if (isStillThere(island)) continue;
-        quiet_.forget(island);
         (void)bodies_[island].body.release();
         bodies_[island].body.get_deleter().isGames = false;
         adopted_.erase(adopted_.begin() + std::ptrdiff_t(i));
@@ -73,7 +72,6 @@ void BulletBodies::noticeGone() {
 /// Bullet's part of the body is still alive, but not for long.
 void BulletBodies::forgetDeleted(uint32_t island) {
     log(LogLevel::warning, "the game has deleted a body of Sherd's");
-    quiet_.forget(island);
     released_.forget(island);
     (void)bodies_[island].body.release();
     bodies_[island].own = nullptr;
@@ -81,7 +79,9 @@ void BulletBodies::forgetDeleted(uint32_t island) {
 }
 
 void BulletBodies::lose(uint32_t island) {
-    tellMoves();  // its own are of no use to what has its number next, and neither is its shape
+    // Nothing of it is of use to what has its number next.
+    tellMoves();
+    quiet_.forget(island);
     dropShape(std::move(bodies_[island].shape));
     const ObjectId object = islands_->idOf(islands_->island(island).object);
     islands_->lose(island);
